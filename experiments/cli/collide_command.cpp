@@ -245,7 +245,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
   std::vector<std::vector<Answer_row>> columns;
   std::string text, curves;
   bool failed = false;
-  if (c && c->level == verify::Level::predicate) {
+  if (c && c->level == verify::Case_kind::predicate) {
     for (const auto& [given, name] : {std::pair(question_is_given, "--question"),
                                       {options.features, "--features"},
                                       {options.contacts, "--contacts"},

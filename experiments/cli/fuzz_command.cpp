@@ -205,12 +205,6 @@ class Fuzz {
     return seconds < options_.seconds;
   }
 
-  Tally& tally(const std::string& level, const std::string& subject, bool is_exact)
-  {
-    if (is_exact) exact_.insert(subject);
-    return tallies_[{level, subject}];
-  }
-
   bool try_objects(const Object_case& c)
   {
     const bool closed = covering::is_closed(*c.a) && covering::is_closed(*c.b);
@@ -221,18 +215,16 @@ class Fuzz {
         if (!go_on()) return false;
         const Outcome answer = (*each.answer)(c, question);
         if (answer == Outcome::not_asked) continue;
-        Tally& mine = tally(to_string(verify::Level::object), each.subject.name, each.subject.is_exact);
-        const std::string kind =
-            mine.add(answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes), truth);
-        if (kind.empty() || !is_new(each.subject.name, c.origin.family, std::string(to_string(question)), kind))
+        const auto value = answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes);
+        if (!is_new_error(to_string(verify::Case_kind::object), each.subject, c.origin,
+                          std::string(to_string(question)), value, truth))
           continue;
-        ++mine.kinds;
         const std::string left = answer == Outcome::failed ? in_words(each.answer->failure()) : "";
         const Object_case small =
             verify::shrink(c, question, verify::same_error(*each.answer, question, answer, truth), budget);
         verify::Case_file file = verify::case_file_of(small, question, each.subject, answer);
         file.cause += left;
-        write(std::move(file), name_, size(c) + " -> " + size(small));
+        write(std::move(file), size(c), size(small));
       }
     }
     return true;
@@ -245,22 +237,17 @@ class Fuzz {
     for (At_work& each : object_subjects_) {
       if (!each.lists_features) continue;
       if (!go_on()) return false;
-      const verify::Listed listed = each.answer->features(c);
+      const auto listed = each.answer->features(c);
       if (listed.outcome == Outcome::not_asked) continue;
       if (!truth) truth = verify::integer_truth::features(c);
       // A list with one wrong pair in place of a right one is lower.
       const bool is_list = listed.outcome == Outcome::yes;
-      Tally& mine = tally("features", each.subject.name, each.subject.is_exact);
-      const std::string kind =
-          mine.add(is_list ? std::optional(verify::as_number(listed.pairs, *truth)) : std::nullopt, int(truth->size()));
-      if (kind.empty() || !is_new(each.subject.name, c.origin.family, "features", kind)) continue;
-      ++mine.kinds;
-      const Object_case small =
-          is_list
-              ? verify::shrink(c, Question::surface, verify::same_error_of_features(*each.answer, kind == "fn"), budget)
-              : c;
-      write(verify::case_file_of(small, each.subject, each.answer->features(small)), name_,
-            size(c) + " -> " + size(small));
+      const auto value = is_list ? std::optional(verify::as_number(listed.answer, *truth)) : std::nullopt;
+      const auto kind = is_new_error("features", each.subject, c.origin, "features", value, int(truth->size()));
+      if (!kind) continue;
+      const auto still = verify::same_error_of_features(*each.answer, *kind == "fn");
+      const Object_case small = is_list ? verify::shrink(c, Question::surface, still, budget) : c;
+      write(verify::case_file_of(small, each.subject, each.answer->features(small)), size(c), size(small));
     }
     return true;
   }
@@ -284,32 +271,42 @@ class Fuzz {
         if (!go_on()) return false;
         const std::optional<int> answer = subject->answer(predicate, c);
         if (!answer) continue;
-        Tally& mine = tally(to_string(verify::Level::predicate), subject->name, subject->is_exact);
-        const std::string kind = mine.add(*answer == verify::no_answer ? std::nullopt : answer, *truth);
-        if (kind.empty() || !is_new(subject->name, c.origin.family, to_string(predicate), kind)) continue;
-        ++mine.kinds;
+        const auto value = *answer == verify::no_answer ? std::nullopt : answer;
+        if (!is_new_error(to_string(verify::Case_kind::predicate), *subject, c.origin, to_string(predicate), value,
+                          *truth))
+          continue;
         const Predicate_case small =
             verify::shrink(c, verify::same_error(*subject, predicate, c, *answer, *truth), budget);
         const auto size = [](const Predicate_case& x) { return std::to_string(verify::size_of(x).bits) + " bits"; };
-        write(verify::case_file_of(small, predicate, *subject, *answer), name_, size(c) + " -> " + size(small));
+        write(verify::case_file_of(small, predicate, *subject, *answer), size(c), size(small));
       }
     }
     return true;
   }
 
-  bool is_new(const std::string& subject, const std::string& family, const std::string& question,
-              const std::string& kind)
+  /// Counts an answer, nothing for a failure. Returns its kind of error, where this question of this family has not had
+  /// it before.
+  template <class Subject>
+  std::optional<std::string> is_new_error(const std::string& level, const Subject& subject,
+                                          const verify::Origin& origin, const std::string& question,
+                                          std::optional<int> answer, int truth)
   {
-    name_ = file_safe(subject + "-" + family + "-" + question + "-" + kind) + ".case.json";
-    return names_.insert(name_).second;
+    if (subject.is_exact) exact_.insert(subject.name);
+    Tally& mine = tallies_[{level, subject.name}];
+    const std::string kind = mine.add(answer, truth);
+    if (kind.empty()) return std::nullopt;
+    name_ = file_safe(subject.name + "-" + origin.family + "-" + question + "-" + kind) + ".case.json";
+    if (!names_.insert(name_).second) return std::nullopt;
+    ++mine.kinds;
+    return kind;
   }
 
-  void write(verify::Case_file file, const std::string& name, const std::string& sizes)
+  void write(verify::Case_file file, const std::string& before, const std::string& after)
   {
     file.version = TETRACONE_VERSION;
-    const std::filesystem::path path = options_.out / name;
+    const std::filesystem::path path = options_.out / name_;
     write_whole(path, verify::to_json(file));
-    std::printf("%s: %s; %s\n", path.c_str(), file.cause.c_str(), sizes.c_str());
+    std::printf("%s: %s; %s -> %s\n", path.c_str(), file.cause.c_str(), before.c_str(), after.c_str());
     std::fflush(stdout);
   }
 

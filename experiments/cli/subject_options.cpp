@@ -1,7 +1,7 @@
 #include "experiments/cli/subject_options.h"
 
 #include "experiments/peers/subject_command.h"
-#include "verify/families/family_lines.h"
+#include "verify/campaign/family_lines.h"
 
 #include <cctype>
 #include <cmath>

@@ -9,13 +9,8 @@
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "verify/campaign/campaign.h"
+#include "verify/campaign/family_lines.h"
 #include "verify/cases/case_file.h"
-#include "verify/families/distance_families.h"
-#include "verify/families/family_lines.h"
-#include "verify/families/moving_body_families.h"
-#include "verify/subjects/moving_bodies_subject.h"
-#include "verify/subjects/object_subject.h"
-#include "verify/subjects/predicate_subject.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -25,13 +20,14 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
 namespace {
 
+using verify::Asked;
 using verify::Campaign;
 using verify::Database;
 
@@ -80,29 +76,34 @@ std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<s
   return some;
 }
 
+/// Returns the level's subjects, with those that are started as `self`.
+template <class Level>
+auto subjects_of(const std::string& self)
+{
+  auto subjects = Level::subjects();
+  const auto add = [&subjects](auto&& more) {
+    for (auto& subject : more) subjects.push_back(std::move(subject));
+  };
+  if constexpr (std::is_same_v<Level, verify::levels::Objects>) add(peer_subjects(self));
+  if constexpr (std::is_same_v<Level, verify::levels::Motions>) add(motion_peer_subjects(self));
+  return subjects;
+}
+
 void choose_subjects(const Verify_options& options, Campaign& campaign)
 {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").native();
-  auto objects = verify::object_subjects();
-  for (auto& peer : peer_subjects(self)) objects.push_back(std::move(peer));
+  const auto objects = subjects_of<verify::levels::Objects>(self);
   const auto commands = command_subjects(options.others, objects);
   std::set<std::string> known;
   for (const auto& command : commands) known.insert(command.name);
-  campaign.predicate_subjects = chosen(verify::predicate_subjects(), options.subjects, known);
-  campaign.object_subjects = chosen(objects, options.subjects, known);
-  campaign.feature_subjects = chosen(verify::feature_subjects(), options.subjects, known);
-  const auto choose = [&](const char* level, auto& subjects, const auto& all) {
-    if (options.level.empty() || options.level == level) subjects = chosen(all, options.subjects, known);
-  };
-  choose("contacts", campaign.contact_subjects, verify::contact_subjects());
-  choose("distances", campaign.distance_subjects, verify::distance_subjects());
-  choose("points", campaign.point_subjects, verify::point_subjects());
-  choose("rays", campaign.ray_subjects, verify::ray_subjects());
-  choose("scenes", campaign.scene_subjects, verify::scene_subjects());
-  auto motions = verify::moving_bodies_subjects();
-  for (auto& peer : motion_peer_subjects(self)) motions.push_back(std::move(peer));
-  choose("motions", campaign.motion_subjects, motions);
-  campaign.object_subjects.insert(campaign.object_subjects.end(), commands.begin(), commands.end());
+  verify::for_each_level(campaign.levels, [&]<class Level>(Asked<Level>& asked) {
+    // The first three levels' subjects are known at every level.
+    const bool is_first = Level::name == "predicate" || Level::name == "object" || Level::name == "features";
+    if (is_first || asked.is_asked) asked.subjects = chosen(subjects_of<Level>(self), options.subjects, known);
+    asked.is_asked = asked.is_asked && (is_first || !asked.subjects.empty());
+  });
+  auto& asked_objects = campaign.at<verify::levels::Objects>().subjects;
+  asked_objects.insert(asked_objects.end(), commands.begin(), commands.end());
   for (const std::string& name : options.subjects)
     if (!known.contains(name)) {
       std::string list;
@@ -113,29 +114,24 @@ void choose_subjects(const Verify_options& options, Campaign& campaign)
     }
 }
 
-/// Adds the family to those of its kind; false when there is none.
+/// Adds the family to the levels that ask it; false when there is none.
 bool add_family(const std::string& name, Campaign& campaign)
 {
-  if (const auto* family = verify::find_family(name)) {
-    campaign.families.push_back(family);
-  } else if (const auto* of_distances = verify::find_distance_family(name)) {
-    campaign.distance_families.push_back(of_distances);
-  } else if (const auto* of_probes = verify::find_probe_family(name)) {
-    (name.starts_with("ray") ? campaign.ray_families : campaign.point_families).push_back(of_probes);
-  } else if (const auto* of_scenes = verify::find_scene_family(name)) {
-    campaign.scene_families.push_back(of_scenes);
-  } else if (const auto* of_motions = verify::find_moving_body_family(name)) {
-    campaign.motion_families.push_back(of_motions);
-  } else {
-    return false;
-  }
-  return true;
+  bool is_known = false;
+  verify::for_each_level(campaign.levels, [&]<class Level>(Asked<Level>& asked) {
+    for (const auto* family : Level::families())
+      if (family->name == name) {
+        asked.families.push_back(family);
+        is_known = true;
+      }
+  });
+  return is_known;
 }
 
 /// Prints a paragraph of families for each set of levels that asks them.
 void print_families()
 {
-  std::string_view levels;
+  std::string levels;
   for (const verify::Family_line& line : verify::family_lines()) {
     if (line.levels != levels) std::cout << (levels.empty() ? "" : "\n") << "Families of " << line.levels << ":\n";
     levels = line.levels;
@@ -159,77 +155,64 @@ void choose_families(const Verify_options& options, Campaign& campaign)
   if (!options.families.empty()) campaign.sequence_frames = 0;
 }
 
+/// Returns the names of all levels: "predicate, object, ... or motions".
+std::string level_names()
+{
+  std::vector<std::string> names;
+  verify::for_each_level(Campaign().levels, [&]<class Level>(const Asked<Level>&) { names.emplace_back(Level::name); });
+  std::string list = names.front();
+  for (std::size_t k = 1; k < names.size(); ++k) list += (k + 1 < names.size() ? ", " : " or ") + names[k];
+  return list;
+}
+
 void choose_sizes(const Verify_options& options, Campaign& campaign)
 {
   if (options.cases != 0)
     campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = campaign.probe_cases = options.cases;
   if (options.level.empty()) return;
-  const auto is = [&](const char* level) { return options.level == level; };
-  const bool of_features = is("features") || is("contacts") || is("distances") || is("scenes") || is("motions"),
-             of_probes = is("points") || is("rays");
-  if (!is("predicate") && !is("object") && !of_features && !of_probes)
-    throw CLI::ValidationError(
-        "--level " + options.level,
-        "expected predicate, object, features, contacts, distances, points, rays, scenes or motions");
-  if (!is("predicate")) campaign.predicate_cases = 0;
-  campaign.lists_features = is("features");
-  if (!of_features) campaign.feature_cases = 0;
-  if (!of_probes) campaign.probe_cases = 0;
-  if (!is("object")) campaign.object_cases = 0;
-  if (!is("object")) campaign.sequence_frames = 0;
+  const verify::Sizes sizes = campaign;
+  static_cast<verify::Sizes&>(campaign) = {0, 0, 0, 0};
+  bool is_level = false;
+  verify::for_each_level(campaign.levels, [&]<class Level>(Asked<Level>& asked) {
+    asked.is_asked = options.level == Level::name;
+    if (asked.is_asked) campaign.*Level::size = sizes.*Level::size;
+    is_level = is_level || asked.is_asked;
+  });
+  if (!is_level) throw CLI::ValidationError("--level " + options.level, "expected " + level_names());
+  if (!campaign.at<verify::levels::Objects>().is_asked) campaign.sequence_frames = 0;
 }
 
-/// The questions of a campaign at one level; it has none without cases, families or subjects.
-struct Asked_level {
-  std::string name;
+/// The names of the families and subjects of one level.
+struct Asked_names {
   std::set<std::string> families, subjects;
 };
 
-template <class Things>
-void add_names(std::set<std::string>& names, const Things& things)
+/// Returns those of the levels at which some subject is asked.
+std::vector<Asked_names> asked_levels(const Campaign& campaign)
 {
-  for (const auto& thing : things)
-    if constexpr (std::is_pointer_v<std::decay_t<decltype(thing)>>)
-      names.emplace(thing->name);
-    else
-      names.emplace(thing.name);
-}
-
-/// Returns the levels at which some subject is asked.
-std::vector<Asked_level> asked_levels(const Campaign& c)
-{
-  std::vector<Asked_level> levels;
-  const auto add = [&](const char* name, bool has_cases, const auto& subjects, const auto&... families) {
-    Asked_level level{name, {}, {}};
-    (add_names(level.families, families), ...);
-    add_names(level.subjects, subjects);
-    const bool has_sequences = level.name == "object" && c.sequence_frames != 0;
-    if (((has_cases && !level.families.empty()) || has_sequences) && !level.subjects.empty()) levels.push_back(level);
-  };
-  const bool lists = c.feature_cases != 0, probes = c.probe_cases != 0;
-  add("predicate", c.predicate_cases != 0, c.predicate_subjects, c.families);
-  add("object", c.object_cases != 0, c.object_subjects, c.families);
-  add("features", lists && c.lists_features, c.feature_subjects, c.families);
-  add("contacts", lists, c.contact_subjects, c.families);
-  add("distances", lists, c.distance_subjects, c.families, c.distance_families);
-  add("points", probes, c.point_subjects, c.point_families);
-  add("rays", probes, c.ray_subjects, c.ray_families);
-  add("scenes", lists, c.scene_subjects, c.scene_families);
-  add("motions", lists, c.motion_subjects, c.motion_families);
+  std::vector<Asked_names> levels;
+  verify::for_each_level(campaign.levels, [&]<class Level>(const Asked<Level>& asked) {
+    const bool has_sequences = std::is_same_v<Level, verify::levels::Objects> && campaign.sequence_frames != 0;
+    const bool has_cases = asked.is_asked && campaign.*Level::size != 0 && !asked.families.empty();
+    if ((!has_cases && !has_sequences) || asked.subjects.empty()) return;
+    Asked_names& names = levels.emplace_back();
+    for (const auto* family : asked.families) names.families.emplace(family->name);
+    for (const auto& subject : asked.subjects) names.subjects.insert(subject.name);
+  });
   return levels;
 }
 
 /// Throws CLI::ValidationError when a named family, subject or command would be asked nothing.
 void refuse_idle_words(const Verify_options& options, const Campaign& campaign)
 {
-  const std::vector<Asked_level> levels = asked_levels(campaign);
+  const std::vector<Asked_names> levels = asked_levels(campaign);
   const std::string at = options.level.empty() ? "these words ask" : "level " + options.level + " asks";
   const auto require = [&](bool holds, const std::string& word, const char* what) {
     if (!holds)
       throw CLI::ValidationError(word, at + " no such " + what + "; expected another level, family or subject");
   };
   const auto has_subject = [&](const std::string& name) {
-    return std::ranges::any_of(levels, [&](const Asked_level& level) {
+    return std::ranges::any_of(levels, [&](const Asked_names& level) {
       return std::ranges::any_of(level.subjects, [&](const std::string& asked) { return is_named(asked, name); });
     });
   };
@@ -237,7 +220,7 @@ void refuse_idle_words(const Verify_options& options, const Campaign& campaign)
     require(has_subject(words.substr(0, words.find('='))), "--subject-command " + words, "subject");
   for (const std::string& name : options.subjects) require(has_subject(name), "--subject " + name, "subject");
   for (const std::string& name : options.families)
-    require(std::ranges::any_of(levels, [&](const Asked_level& level) { return level.families.contains(name); }),
+    require(std::ranges::any_of(levels, [&](const Asked_names& level) { return level.families.contains(name); }),
             "--family " + name, "family");
   if (levels.empty()) throw CLI::ValidationError("verify", at + " nothing; expected a level, families and subjects");
 }
@@ -249,11 +232,11 @@ void refuse_idle_words(const Verify_options& options, const Campaign& campaign)
   file.version = TETRACONE_VERSION;
   file.cause = found.what();
   if (found.object) {
-    file.level = verify::Level::object;
+    file.level = verify::Case_kind::object;
     file.object = found.object;
     file.question = found.question;
   } else {
-    file.level = verify::Level::predicate;
+    file.level = verify::Case_kind::predicate;
     file.points = found.points;
     file.predicate = found.predicate;
   }
@@ -280,19 +263,10 @@ void print_failures(Database& database, const Campaign& campaign)
 bool print_summary(Database& database, const Campaign& campaign)
 {
   std::set<std::string> exact;
-  const auto add = [&](const char* level, const auto& subjects) {
-    for (const auto& subject : subjects)
-      if (subject.is_exact) exact.insert(level + (" " + subject.name));
-  };
-  add("predicate", campaign.predicate_subjects);
-  add("object", campaign.object_subjects);
-  add("features", campaign.feature_subjects);
-  add("contacts", campaign.contact_subjects);
-  add("distances", campaign.distance_subjects);
-  add("points", campaign.point_subjects);
-  add("rays", campaign.ray_subjects);
-  add("scenes", campaign.scene_subjects);
-  add("motions", campaign.motion_subjects);
+  verify::for_each_level(campaign.levels, [&]<class Level>(const Asked<Level>& asked) {
+    for (const auto& subject : asked.subjects)
+      if (subject.is_exact) exact.insert(std::string(Level::name) + " " + subject.name);
+  });
   Database::Statement rows(
       database,
       "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM "
@@ -385,9 +359,7 @@ void add_verify_command(CLI::App& app)
   add_subject_options(*command, options->others);
   command->add_option("--check-subject", options->check_subject,
                       "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
-  command->add_option(
-      "--level", options->level,
-      "Only this level: predicate, object, features, contacts, distances, points, rays, scenes or motions");
+  command->add_option("--level", options->level, "Only this level: " + level_names());
   command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
       ->capture_default_str()
       ->check(CLI::Range(0, 100'000));

@@ -105,7 +105,7 @@ class Running_motion_peer : public verify::Running_motion {
  public:
   Running_motion_peer(std::string program, std::string name) : program_(std::move(program)), name_(std::move(name)) {}
 
-  verify::Told_contact first_contact(const verify::Moving_bodies& bodies, kernel::Question question) override
+  verify::Told_contact operator()(const verify::Moving_bodies& bodies, kernel::Question question) override
   {
     const auto rest = shift(bodies.motion_a[0]), from = shift(bodies.motion_b[0]), to = shift(bodies.motion_b[1]);
     if (question == kernel::Question::solid || bodies.motion_a[0] != bodies.motion_a[1] || !rest ||

@@ -334,7 +334,8 @@ std::vector<covering::Face_triangle> drawn_triangles(const Polyhedron& polyhedro
 
 std::string view_data(const View_scene& scene, const std::string& kernel, verify::Method method)
 {
-  const bool predicate = scene.from && scene.from->level == verify::Level::predicate, pair = scene.bodies.size() == 2;
+  const bool predicate = scene.from && scene.from->level == verify::Case_kind::predicate,
+             pair = scene.bodies.size() == 2;
   const auto subject = Subject::parse(kernel, method);
   if (!subject && !predicate) throw CLI::ValidationError("--kernel " + kernel, "expected " + kernel_names());
 

@@ -61,7 +61,7 @@ View_scene scene_of_case(const std::string& file, std::optional<Question> questi
   scene.name = file_name(file);
   scene.from = verify::read_case(file);
   const verify::Case_file& c = *scene.from;
-  if (c.level == verify::Level::predicate) {
+  if (c.level == verify::Case_kind::predicate) {
     if (question) throw CLI::ValidationError("--question", "expected with bodies; " + file + " asks a predicate");
     const auto [a, b] = bodies_of(*c.predicate, *c.points);
     scene.bodies = {whole_model("A", a), whole_model("B", b)};

@@ -2,13 +2,12 @@
 #define TETRACONE_VERIFY_CAMPAIGN_BATCH_JUDGE_H
 
 #include "verify/campaign/batches.h"
-#include "verify/campaign/distance_batch.h"
 #include "verify/campaign/findings.h"
-#include "verify/campaign/motion_batch.h"
-#include "verify/campaign/probe_batch.h"
-#include "verify/campaign/scene_batch.h"
 
 #include <tbb/enumerable_thread_specific.h>
+
+#include <memory>
+#include <vector>
 
 namespace tetracone::verify {
 
@@ -16,20 +15,21 @@ namespace tetracone::verify {
 class Batch_judge {
  public:
   /// `done` lists the cases that need not be asked again. Both are kept by reference.
-  Batch_judge(const Campaign& campaign, const Done& done);
+  Batch_judge(const Campaign& campaign, const Done& done) : campaign_(campaign), done_(done) {}
 
   /// Judges one batch. Thread-safe. Throws Truths_disagree.
   Findings operator()(const Batch& batch);
 
  private:
+  /// The running subjects of a level, made when it is first asked.
+  template <class Level>
+  struct Running_subjects {
+    std::vector<std::unique_ptr<typename Level::Running>> subjects;
+  };
+
   const Campaign& campaign_;
   const Done& done_;
-  tbb::enumerable_thread_specific<Running_subjects> colliding_, listing_, locating_, measuring_;  // of the
-      // levels object, features,
-      // contacts and distances
-  tbb::enumerable_thread_specific<Running_probes> placing_, casting_;  // of points and rays
-  tbb::enumerable_thread_specific<Running_scenes> playing_;
-  tbb::enumerable_thread_specific<Running_motions> following_;
+  tbb::enumerable_thread_specific<For_levels<Running_subjects>> running_;
 };
 
 }  // namespace tetracone::verify

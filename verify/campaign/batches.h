@@ -5,9 +5,11 @@
 #include "verify/campaign/database.h"
 #include "verify/families/sequences.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -16,43 +18,13 @@ namespace tetracone::verify {
 /// The truth's name among the subjects.
 inline constexpr const char* truth_name = "truth";
 
-/// The question that a case is asked. For two bodies: its predicates, whether they collide, which features meet, where
-/// faces meet, how far apart they are. For a body: where its point is, and which faces its ray meets. For more: which
-/// of many bodies collide, and when two moving ones first meet.
-enum class Asked_for { predicates, collision, features, contacts, distances, points, rays, scenes, motions };
-
-/// Returns the level's name in the database.
-constexpr const char* level_name(Asked_for what)
-{
-  switch (what) {
-    case Asked_for::predicates: return "predicate";
-    case Asked_for::collision: return "object";
-    case Asked_for::features: return "features";
-    case Asked_for::contacts: return "contacts";
-    case Asked_for::distances: return "distances";
-    case Asked_for::points: return "points";
-    case Asked_for::rays: return "rays";
-    case Asked_for::scenes: return "scenes";
-    case Asked_for::motions: break;
-  }
-  return "motions";
-}
-
 /// The unit of work: the cases first to last - 1 of a family, or one sequence.
 struct Batch {
-  Asked_for what;
-  const Family* family;
-  const Sequence* sequence;  // instead of a family
+  std::string_view level;        ///< the level's name
+  std::string family;            ///< its name in the database
+  std::size_t number_of_family;  ///< among the level's families in the campaign
+  const Sequence* sequence;      ///< instead of a family; may be null
   std::uint64_t number, first, last;
-  const Probe_family* probes = nullptr;  // instead of a family, or these
-  const Scene_family* scenes = nullptr;
-  const Moving_body_family* motions = nullptr;
-
-  std::string family_name() const
-  {
-    if (sequence) return "sequence " + sequence->name;
-    return std::string(probes ? probes->name : scenes ? scenes->name : motions ? motions->name : family->name);
-  }
 };
 
 /// Returns the batches of this campaign's shard, in the order in which they are asked.
@@ -78,7 +50,7 @@ class Done {
   /// Returns the first case of the batch that the subject has not been asked.
   std::uint64_t next(const Batch& batch, const std::string& subject) const
   {
-    const auto found = cases_.find({level_name(batch.what), batch.family_name(), batch.number, subject});
+    const auto found = cases_.find({std::string(batch.level), batch.family, batch.number, subject});
     return batch.first + (found == cases_.end() ? 0 : found->second);
   }
 

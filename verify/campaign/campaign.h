@@ -2,25 +2,14 @@
 #define TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_H
 
 #include "verify/campaign/database.h"
-#include "verify/cases/case.h"
-#include "verify/cases/probe_case.h"
-#include "verify/families/families.h"
-#include "verify/families/moving_body_families.h"
-#include "verify/families/probe_families.h"
-#include "verify/families/scene_families.h"
-#include "verify/subjects/moving_bodies_subject.h"
-#include "verify/subjects/object_subject.h"
-#include "verify/subjects/predicate_subject.h"
-#include "verify/subjects/probe_subject.h"
-#include "verify/subjects/scene_subject.h"
+#include "verify/campaign/levels.h"
+#include "verify/campaign/truths_disagree.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <optional>
-#include <stdexcept>
 #include <string>
-#include <vector>
+#include <tuple>
 
 namespace tetracone::verify {
 
@@ -30,45 +19,24 @@ struct Provenance {
   std::string again = {};  ///< the command line that repeats the whole campaign, without its database
 };
 
-/// The cases of a campaign and the subjects that are asked them. Default sizes take a few minutes on two cores.
-struct Campaign {
+/// The cases of a campaign and the subjects that are asked them.
+struct Campaign : Sizes {
   std::uint64_t seed = 1;
-  std::uint64_t predicate_cases = 400, object_cases = 24, feature_cases = 6;  ///< per family; 0 skips the level
-  std::uint64_t probe_cases = 64;                                             ///< per family of points and of rays
-  bool lists_features = true;  ///< of feature_cases; if false, only contacts, distances, scenes and motions are asked
-  int sequence_frames = 16;    ///< of each exact sequence; 0: none
-  int shard = 0, shards = 1;   ///< this process does each `shards`-th batch, from `shard`
-  std::vector<const Family*> families;
-  std::vector<const Family*> distance_families;  ///< asked for distances only
-  std::vector<const Probe_family*> point_families, ray_families;
-  std::vector<const Scene_family*> scene_families;         ///< of feature_cases
-  std::vector<const Moving_body_family*> motion_families;  ///< of feature_cases
-  std::vector<Predicate_subject> predicate_subjects;
-  std::vector<Object_subject> object_subjects, feature_subjects, contact_subjects, distance_subjects;
-  std::vector<Probe_subject> point_subjects, ray_subjects;
-  std::vector<Scene_subject> scene_subjects;
-  std::vector<Moving_bodies_subject> motion_subjects;
+  int sequence_frames = 16;   ///< of each exact sequence, which the level `Objects` asks; 0: none
+  int shard = 0, shards = 1;  ///< this process does each `shards`-th batch, from `shard`
+  For_levels<Asked> levels;
   Provenance made_by;
-};
 
-/// Thrown when the two truths, or a truth and a family's known answer, differ for one case. One of them is wrong, and
-/// no result of the campaign could be trusted.
-class Truths_disagree : public std::runtime_error {
- public:
-  Truths_disagree(const std::string& what, Object_case c, kernel::Question question)
-      : std::runtime_error(what), object(std::move(c)), question(question)
-  {}
-  Truths_disagree(const std::string& what, const Probe_case& c)
-      : Truths_disagree(what, as_objects(c), kernel::Question::surface)
-  {}
-  Truths_disagree(const std::string& what, Predicate_case c, Predicate predicate)
-      : std::runtime_error(what), points(std::move(c)), predicate(predicate)
-  {}
-
-  std::optional<Object_case> object;
-  kernel::Question question = kernel::Question::solid;
-  std::optional<Predicate_case> points;
-  Predicate predicate = Predicate::orientation;
+  template <class Level>
+  Asked<Level>& at()
+  {
+    return std::get<Asked<Level>>(levels);
+  }
+  template <class Level>
+  const Asked<Level>& at() const
+  {
+    return std::get<Asked<Level>>(levels);
+  }
 };
 
 /// Returns the number of cases of the campaign, including those already in the database.

@@ -21,28 +21,18 @@ std::string array_of(const std::set<std::string>& names) { return nlohmann::json
 std::string families_of(const Campaign& campaign)
 {
   std::set<std::string> names;
-  for (const auto* families : {&campaign.families, &campaign.distance_families})
-    for (const Family* family : *families) names.emplace(family->name);
-  for (const auto* families : {&campaign.point_families, &campaign.ray_families})
-    for (const Probe_family* family : *families) names.emplace(family->name);
-  for (const Scene_family* family : campaign.scene_families) names.emplace(family->name);
-  for (const Moving_body_family* family : campaign.motion_families) names.emplace(family->name);
+  for_each_level(campaign.levels, [&](const auto& asked) {
+    for (const auto* family : asked.families) names.emplace(family->name);
+  });
   return array_of(names);
 }
 
 std::string subjects_of(const Campaign& campaign)
 {
   std::set<std::string> names;
-  for (const auto& subject : campaign.predicate_subjects)
-    names.insert(to_string(Level::predicate) + (" " + subject.name));
-  for (const auto& subject : campaign.object_subjects) names.insert(to_string(Level::object) + (" " + subject.name));
-  for (const auto& subject : campaign.feature_subjects) names.insert("features " + subject.name);
-  for (const auto& subject : campaign.contact_subjects) names.insert("contacts " + subject.name);
-  for (const auto& subject : campaign.distance_subjects) names.insert("distances " + subject.name);
-  for (const auto& subject : campaign.point_subjects) names.insert("points " + subject.name);
-  for (const auto& subject : campaign.ray_subjects) names.insert("rays " + subject.name);
-  for (const auto& subject : campaign.scene_subjects) names.insert("scenes " + subject.name);
-  for (const auto& subject : campaign.motion_subjects) names.insert("motions " + subject.name);
+  for_each_level(campaign.levels, [&]<class Level>(const Asked<Level>& asked) {
+    for (const auto& subject : asked.subjects) names.insert(std::string(Level::name) + " " + subject.name);
+  });
   return array_of(names);
 }
 
@@ -75,7 +65,7 @@ void record_words(Database& database, const Campaign& campaign, std::uint64_t an
   Database::Transaction transaction(database);
   Database::Statement known(database, "SELECT command FROM command WHERE subject = ?1");
   Database::Statement add(database, "INSERT OR IGNORE INTO command VALUES (?1, ?2)");
-  for (const Object_subject& subject : campaign.object_subjects) {
+  for (const Object_subject& subject : campaign.at<levels::Objects>().subjects) {
     if (subject.command.empty()) continue;
     if (known.with(subject.name).next() && known.text(0) != subject.command)
       throw covering::Input_error(database.file().native(), 0,

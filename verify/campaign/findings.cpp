@@ -27,30 +27,30 @@ void Findings::add_truth(const std::string& question, bool positive, bool by_con
   truth.by_construction += by_construction;
 }
 
-void Findings::add_answer(const std::string& subject, const std::string& question, const Kind& kind, int truth,
-                          const Answer& answer, const std::optional<Spent>& spent)
+void Findings::add_answer(const std::string& subject, const Statement& statement, bool is_asked,
+                          const std::optional<Spent>& spent)
 {
-  const Asked asked{subject, question};
-  for (const auto& [axis, log2] : {std::pair{on_rho, kind.distance.log2_rho}, {on_ulps, kind.distance.log2_ulps}}) {
-    Tally& tally = tally_[{asked, {axis, bin(log2), kind.has_fractions}}];
-    tally.not_asked += answer.not_asked;
-    if (answer.not_asked) continue;
+  const Asked asked{subject, statement.question};
+  const auto& [question, truth, value, away, has_fractions, stage] = statement;
+  for (const auto& [axis, log2] : {std::pair{on_rho, away.log2_rho}, {on_ulps, away.log2_ulps}}) {
+    Tally& tally = tally_[{asked, {axis, bin(log2), has_fractions}}];
+    tally.not_asked += !is_asked;
+    if (!is_asked) continue;
     ++tally.n;
-    tally.failures += !answer.value;
-    tally.false_positives += answer.value && *answer.value > truth;
-    tally.false_negatives += answer.value && *answer.value < truth;
+    tally.failures += !value;
+    tally.false_positives += value && *value > truth;
+    tally.false_negatives += value && *value < truth;
   }
-  if (answer.not_asked || !spent) return;
+  if (!is_asked || !spent) return;
   Time& time = time_[asked];
   ++time.n;
   time.nanoseconds += std::int64_t(spent->asking);
   if (spent->making) time.making = time.making.value_or(0) + std::int64_t(*spent->making);
 }
 
-void Findings::add_wrong(const Origin& origin, const std::string& subject, const std::string& question,
-                         const Distance& distance, int truth, const Answer& answer, std::optional<Stage> stage)
+void Findings::add_wrong(const Origin& origin, const std::string& subject, const Statement& statement)
 {
-  wrong_.push_back({origin, subject, question, distance, truth, answer, stage ? to_string(*stage) : ""});
+  wrong_.push_back({origin, subject, statement});
 }
 
 void Findings::add_failure(const std::string& subject, const std::string& question, std::uint64_t number,
@@ -84,15 +84,14 @@ void Findings::add_flips(const std::string& subject, const std::string& question
 
 void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, std::uint64_t batch) const
 {
-  using Statement = Database::Statement;
-  Statement truth(
-      database,
-      "INSERT INTO truth VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n, "
-      "positives = positives + excluded.positives, by_construction = by_construction + excluded.by_construction");
+  using Sql = Database::Statement;
+  Sql truth(database,
+            "INSERT INTO truth VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n, "
+            "positives = positives + excluded.positives, by_construction = by_construction + excluded.by_construction");
   for (const auto& [question, t] : truth_)
     truth.run(run, level_, family_, question, t.n, t.positives, t.by_construction);
 
-  Statement tally(
+  Sql tally(
       database,
       "INSERT INTO tally VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13) ON CONFLICT DO UPDATE SET "
       "n = n + excluded.n, false_positives = false_positives + excluded.false_positives, "
@@ -105,46 +104,45 @@ void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, s
   }
 
   // -1 stands for NULL where the time of making is unknown.
-  Statement time(database,
-                 "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, nullif(?7, -1), ?8) ON CONFLICT DO UPDATE SET "
-                 "n = n + excluded.n, making = making + excluded.making, asking = asking + excluded.asking");
+  Sql time(database,
+           "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, nullif(?7, -1), ?8) ON CONFLICT DO UPDATE SET "
+           "n = n + excluded.n, making = making + excluded.making, asking = asking + excluded.asking");
   for (const auto& [asked, t] : time_)
     time.run(run, level_, family_, asked.first, asked.second, t.n, t.making.value_or(-1), t.nanoseconds);
 
-  Statement blame(database,
-                  "INSERT INTO blame VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n");
+  Sql blame(database,
+            "INSERT INTO blame VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n");
   for (const auto& [key, n] : blame_) blame.run(run, level_, family_, key.first.first, key.first.second, key.second, n);
 
-  Statement relation(database,
-                     "INSERT INTO relation VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
-                     "tried = tried + excluded.tried, violated = violated + excluded.violated, "
-                     "not_applicable = not_applicable + excluded.not_applicable");
+  Sql relation(database,
+               "INSERT INTO relation VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
+               "tried = tried + excluded.tried, violated = violated + excluded.violated, "
+               "not_applicable = not_applicable + excluded.not_applicable");
   for (const auto& [key, t] : relation_) {
     const auto& [name, subject, question] = key;
     relation.run(run, level_, family_, name, subject, question, t.tried, t.violated, t.not_applicable);
   }
 
-  Statement flips(database, "INSERT OR REPLACE INTO flips VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)");
+  Sql flips(database, "INSERT OR REPLACE INTO flips VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)");
   for (const auto& [asked, f] : flips_)
     flips.run(run, family_, asked.first, asked.second, f.frames, f.wrong, f.changes, f.true_changes);
 
-  Statement failure(database,
-                    "INSERT INTO failure VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
-                    "n = n + excluded.n, said = iif(excluded.first < first, excluded.said, said), "
-                    "first = min(first, excluded.first)");
+  Sql failure(database,
+              "INSERT INTO failure VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
+              "n = n + excluded.n, said = iif(excluded.first < first, excluded.said, said), "
+              "first = min(first, excluded.first)");
   for (const auto& [key, f] : failures_)
     failure.run(run, level_, family_, key.first.first, key.first.second, key.second, f.n, f.first, f.said);
 
   // A failure has no answer: NULL.
-  Statement wrong(
-      database, "INSERT OR REPLACE INTO wrong VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, nullif(?9, 99), ?10, ?11, ?12)");
-  for (const Wrong& w : wrong_)
-    wrong.run(run, level_, family_, w.origin.index, w.origin.parameter, w.subject, w.question, w.truth,
-              w.answer.value.value_or(99), w.distance.log2_rho, w.distance.log2_ulps, w.stage);
+  Sql wrong(database,
+            "INSERT OR REPLACE INTO wrong VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, nullif(?9, 99), ?10, ?11, ?12)");
+  for (const auto& [origin, subject, w] : wrong_)
+    wrong.run(run, level_, family_, origin.index, origin.parameter, subject, w.question, w.truth, w.value.value_or(99),
+              w.away.log2_rho, w.away.log2_ulps, w.stage ? to_string(*w.stage) : "");
 
-  Statement done(
-      database,
-      "INSERT INTO done VALUES (?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT DO UPDATE SET cases = cases + excluded.cases");
+  Sql done(database,
+           "INSERT INTO done VALUES (?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT DO UPDATE SET cases = cases + excluded.cases");
   for (const auto& [subject, cases] : done_) done.run(seed, level_, family_, batch, subject, cases);
 }
 

@@ -8,6 +8,7 @@
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/spent.h"
 
+#include <cmath>
 #include <compare>
 #include <cstdint>
 #include <map>
@@ -18,30 +19,26 @@
 
 namespace tetracone::verify {
 
+/// What an answer says of one question, as it is counted.
+struct Statement {
+  std::string question;
+  int truth;
+  std::optional<int> value{};            ///< nothing where the subject failed
+  Distance away = {HUGE_VAL, HUGE_VAL};  ///< of the case to degeneracy
+  bool has_fractions = false;            ///< an entry of the case's poses is no double
+  std::optional<Stage> stage{};          ///< that made the answer wrong
+};
+
 /// The results of a batch of cases, stored in the database as one transaction. Names are those of its tables.
 class Findings {
  public:
-  /// A subject's answer, if it gave one, and whether it does not take the question.
-  struct Answer {
-    std::optional<int> value;
-    bool not_asked = false;
-  };
-
-  /// The properties by which a case is counted.
-  struct Kind {
-    Distance distance;
-    bool has_fractions = false;  ///< an entry of its poses is no double
-  };
-
-  /// Requires a `level_name` as level.
   Findings(std::string level, std::string family) : level_(std::move(level)), family_(std::move(family)) {}
 
   void add_truth(const std::string& question, bool positive, bool by_construction);
-  /// `spent`: nothing if the subject's own time is not known.
-  void add_answer(const std::string& subject, const std::string& question, const Kind& kind, int truth,
-                  const Answer& answer, const std::optional<Spent>& spent);
-  void add_wrong(const Origin& origin, const std::string& subject, const std::string& question,
-                 const Distance& distance, int truth, const Answer& answer, std::optional<Stage> stage);
+  /// `is_asked`: false if the subject declines; `spent`: nothing if the subject's own time is not known.
+  void add_answer(const std::string& subject, const Statement& statement, bool is_asked,
+                  const std::optional<Spent>& spent);
+  void add_wrong(const Origin& origin, const std::string& subject, const Statement& statement);
   /// Adds the traces of a subject that failed on the case with this number.
   void add_failure(const std::string& subject, const std::string& question, std::uint64_t number,
                    const Failure& failure);
@@ -88,11 +85,8 @@ class Findings {
   };
   struct Wrong {
     Origin origin;
-    std::string subject, question;
-    Distance distance;
-    int truth;
-    Answer answer;
-    std::string stage;
+    std::string subject;
+    Statement statement;
   };
 
   std::string level_, family_;

@@ -2,7 +2,7 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "verify/campaign/campaign_schema.h"
-#include "verify/families/family_lines.h"
+#include "verify/campaign/family_lines.h"
 
 #include <algorithm>
 #include <cassert>

@@ -13,8 +13,8 @@
 
 namespace tetracone::verify {
 
-/// The level of a case: one predicate on a few points, or two polyhedra.
-enum class Level { predicate, object };
+/// The kind of a case file: one predicate on a few points, or two polyhedra.
+enum class Case_kind { predicate, object };
 
 /// The origin of a case, from which it can be made again.
 struct Origin {
@@ -40,7 +40,7 @@ inline constexpr std::array all_predicates = {Predicate::orientation, Predicate:
                                               Predicate::tetrahedron, Predicate::segment_triangle,
                                               Predicate::solid,       Predicate::classification};
 
-inline const char* to_string(Level level) { return level == Level::predicate ? "predicate" : "object"; }
+inline const char* to_string(Case_kind level) { return level == Case_kind::predicate ? "predicate" : "object"; }
 inline const char* to_string(Predicate predicate)
 {
   constexpr std::array names = {"orientation",      "tetra-cone", "tetrahedron",

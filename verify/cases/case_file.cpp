@@ -266,12 +266,12 @@ Case_file parse_case(const std::string& text, const std::string& name)
   if (root.member("format").unsigned_integer(std::numeric_limits<std::uint64_t>::max()) != std::uint64_t(format))
     root.member("format").fail("is unknown", "expected " + std::to_string(format));
   Case_file file;
-  file.level = named(root.member("level"), std::array{Level::predicate, Level::object});
+  file.level = named(root.member("level"), std::array{Case_kind::predicate, Case_kind::object});
   file.cause = root.member("cause").text();
   file.version = root.member("version").text();
   for (const Json_field& wrong : root.member("wrong").items(0, "wrong subjects"))
     file.wrong.push_back(read_wrong(wrong));
-  if (file.level == Level::object) {
+  if (file.level == Case_kind::object) {
     root.only(
         {"format", "version", "level", "cause", "origin", "question", "truth", "wrong", "a", "pose_a", "b", "pose_b"});
     read_object(root, file);
@@ -287,13 +287,13 @@ Case_file read_case(const std::filesystem::path& path) { return parse_case(cover
 
 std::string to_json(const Case_file& file)
 {
-  assert(file.level == Level::object ? file.object.has_value() : file.points && file.predicate);
+  assert(file.level == Case_kind::object ? file.object.has_value() : file.points && file.predicate);
   Members members = {{"format", std::to_string(format)},
                      {"version", in_json(file.version)},
                      {"level", in_json(to_string(file.level))},
                      {"cause", in_json(file.cause)},
                      {"origin", text_of(file.origin())}};
-  if (file.level == Level::object)
+  if (file.level == Case_kind::object)
     add_object(file, members);
   else
     add_predicate(file, members);

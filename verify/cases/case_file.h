@@ -22,7 +22,7 @@ struct Wrong {
 
 /// The contents of a case file.
 struct Case_file {
-  Level level = Level::object;
+  Case_kind level = Case_kind::object;
 
   std::optional<Object_case> object;  ///< where level is object; its `surface` and `solid` are the answers that the
                                       ///< file knows
@@ -36,7 +36,7 @@ struct Case_file {
   std::string cause;         ///< why, in one line
   std::string version;       ///< of the program that made it
 
-  const Origin& origin() const { return level == Level::object ? object->origin : points->origin; }
+  const Origin& origin() const { return level == Case_kind::object ? object->origin : points->origin; }
 };
 
 /// True when the file's name is that of a case file.

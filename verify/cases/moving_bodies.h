@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/number.h"
+#include "verify/cases/case.h"
 
 #include <array>
 #include <vector>
@@ -17,6 +18,7 @@ using Motion_ends = std::array<std::vector<kernel::Rational>, 2>;
 struct Moving_bodies {
   covering::Polyhedron a, b;
   Motion_ends motion_a, motion_b;
+  Origin origin{};
 
   bool is_rigid() const { return motion_a[0].size() == 7; }
 };

@@ -136,80 +136,44 @@ Object_case between_walls(Random& random, double k)
 const std::vector<Family>& distance_families()
 {
   using namespace object_family;
-  static const std::vector<Family> all = [] {
-    std::vector<Family> all = {
-        {0,
-         "apart-from-face",
-         "a vertex over a face",
-         "distance 2^e: e",
-         {0, -4, -20, -50, 4},
-         nullptr,
-         apart_from_face},
-        {0,
-         "apart-from-edge",
-         "a vertex over an edge",
-         "distance 2^e: e",
-         {0, -4, -20, -50, 4},
-         nullptr,
-         apart_from_edge},
-        {0,
-         "apart-from-vertex",
-         "vertices against each other",
-         "distance 2^e: e",
-         {0, -4, -20, -50, 4},
-         nullptr,
-         apart_from_vertex},
-        {0,
-         "apart-across-edges",
-         "edges that cross",
-         "distance 2^e: e",
-         {0, -4, -20, -50, 4},
-         nullptr,
-         apart_across_edges},
-        {0,
-         "parallel",
-         "cubes with parallel faces and edges",
-         "nearest: 0 faces, 1 edges, 2 vertices, 3 edges aslant",
-         {0, 1, 2, 3},
-         nullptr,
-         parallel},
-        {0, "mirrored", "a body and its mirror image", "distance 2^e: e", {1, 0, -10, -40}, nullptr, mirrored},
-        {0,
-         "two-spikes",
-         "two spikes over a face, nearly as near",
-         "nearer by 2^-k: k; 0: as near",
-         {1, 10, 30, 50, 52, 0},
-         nullptr,
-         two_spikes},
-        {0,
-         "of-any-size",
-         "all times a power of two",
-         "its exponent",
-         {-1000, -540, -300, 300, 500, 900},
-         nullptr,
-         of_any_size},
-        {0, "far-apart", "bodies far apart", "distance 2^e: e", {10, 40, 100, 400, 900}, nullptr, far},
-        {0,
-         "between-walls",
-         "in a cavity, nearly in its middle",
-         "off by 2^-k of its size: k; 0: not",
-         {0, 3, 20, 45},
-         nullptr,
-         between_walls},
-    };
-    // Numbers start where these families were first numbered, so that families of pairs may still be added.
-    int number = 49;
-    for (Family& family : all) family.number = ++number;
-    return all;
-  }();
+  // Numbers start where these families were first numbered, so that families of pairs may still be added.
+  static const std::vector<Family> all = numbered(
+      std::vector<Family>{
+          {{"apart-from-face", "a vertex over a face", "distance 2^e: e", {0, -4, -20, -50, 4}},
+           nullptr,
+           apart_from_face},
+          {{"apart-from-edge", "a vertex over an edge", "distance 2^e: e", {0, -4, -20, -50, 4}},
+           nullptr,
+           apart_from_edge},
+          {{"apart-from-vertex", "vertices against each other", "distance 2^e: e", {0, -4, -20, -50, 4}},
+           nullptr,
+           apart_from_vertex},
+          {{"apart-across-edges", "edges that cross", "distance 2^e: e", {0, -4, -20, -50, 4}},
+           nullptr,
+           apart_across_edges},
+          {{"parallel",
+            "cubes with parallel faces and edges",
+            "nearest: 0 faces, 1 edges, 2 vertices, 3 edges aslant",
+            {0, 1, 2, 3}},
+           nullptr,
+           parallel},
+          {{"mirrored", "a body and its mirror image", "distance 2^e: e", {1, 0, -10, -40}}, nullptr, mirrored},
+          {{"two-spikes",
+            "two spikes over a face, nearly as near",
+            "nearer by 2^-k: k; 0: as near",
+            {1, 10, 30, 50, 52, 0}},
+           nullptr,
+           two_spikes},
+          {{"of-any-size", "all times a power of two", "its exponent", {-1000, -540, -300, 300, 500, 900}},
+           nullptr,
+           of_any_size},
+          {{"far-apart", "bodies far apart", "distance 2^e: e", {10, 40, 100, 400, 900}}, nullptr, far},
+          {{"between-walls", "in a cavity, nearly in its middle", "off by 2^-k of its size: k; 0: not", {0, 3, 20, 45}},
+           nullptr,
+           between_walls},
+      },
+      50);
   return all;
-}
-
-const Family* find_distance_family(std::string_view name)
-{
-  for (const Family& family : distance_families())
-    if (family.name == name) return &family;
-  return nullptr;
 }
 
 }  // namespace tetracone::verify

@@ -12,9 +12,6 @@ namespace tetracone::verify {
 /// are nearest, or two that differ slightly. Their numbers follow those of `families()`.
 const std::vector<Family>& distance_families();
 
-/// Returns the family of this name; null when there is none.
-const Family* find_distance_family(std::string_view name);
-
 }  // namespace tetracone::verify
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "verify/cases/case.h"
 #include "verify/cases/random.h"
+#include "verify/families/named_family.h"
 
 #include <cstdint>
 #include <string_view>
@@ -10,20 +11,12 @@
 
 namespace tetracone::verify {
 
-/// A named generator of cases on both levels: (seed, index) -> case. Its parameter sweeps from far from degenerate to
-/// exactly degenerate.
-struct Family {
-  int number;                  ///< from 1
-  std::string_view name;       ///< of lower-case words joined by '-'
-  std::string_view what;       ///< what its cases have in common, in a line
-  std::string_view parameter;  ///< what the parameter means
-  std::vector<double> sweep;   ///< the values that the parameter takes in turn
-
+/// A family of cases of predicates and of two bodies.
+struct Family : Named_family {
   Predicate_case (*predicate)(Random& random, double parameter);
   Object_case (*object)(Random& random, double parameter);
 
-  /// Case `index` of the family. Its parameter is the sweep's value `index` modulo its length; everything else is drawn
-  /// from (seed, number, level, index). The case is equal on every machine and in any order of calls.
+  /// Case `index` of the family. All but its parameter is drawn from (seed, number, kind, index).
   Predicate_case predicate_case(std::uint64_t seed, std::uint64_t index) const;
   Object_case object_case(std::uint64_t seed, std::uint64_t index) const;
 };

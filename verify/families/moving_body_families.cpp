@@ -312,41 +312,46 @@ Moving_bodies landings(Random& random)
   return c;
 }
 
-constexpr std::array of_bodies = {
-    Moving_body_family{1, "motion-anywhere", "linear between nearly rigid poses", anywhere},
-    Moving_body_family{2, "motion-one-turns", "rigid, the other body rests", one_turns},
-    Moving_body_family{3, "motion-both-turn", "rigid, both bodies turn", both_turn},
-    Moving_body_family{4, "motion-grazing", "faces, edges and corners slide along, an ulp off now and then", grazing},
-    Moving_body_family{5, "motion-double-contact", "two walls at once, or by an ulp one first", double_contact},
-    Moving_body_family{6, "motion-tunnelling", "fast through a thin plate, or past it", tunnelling},
-    Moving_body_family{7, "motion-spin-in-socket", "a bar turns in a square tunnel", spin_in_socket},
-    Moving_body_family{8, "motion-rolling", "a cube turns about an edge above a plate", rolling},
-    Moving_body_family{9, "motion-resting", "on a plate or by an ulp not, and away", resting},
-    Moving_body_family{10, "motion-nested", "one within the other, to the end or through the wall", nested},
-    Moving_body_family{11, "motion-at-end", "contact at the end alone, or by an ulp not", at_end},
-    Moving_body_family{12, "motion-tiny-and-huge", "lengths times a power of two, motions of an ulp", tiny_and_huge},
-    Moving_body_family{13, "motion-flattened", "a linear motion that turns a body inside out", flattened},
-    Moving_body_family{14, "motion-tiny-fractions",
-                       "those before, huge bodies under fractions that are rounded to denormals, or to 0",
-                       tiny_fractions},
-    Moving_body_family{15, "motion-landings", "plates of many triangles land flat, or tilted by little", landings},
-};
+std::vector<Moving_body_family> entries()
+{
+  return {
+      {{"motion-anywhere", "linear between nearly rigid poses", "", {}}, anywhere},
+      {{"motion-one-turns", "rigid, the other body rests", "", {}}, one_turns},
+      {{"motion-both-turn", "rigid, both bodies turn", "", {}}, both_turn},
+      {{"motion-grazing", "faces, edges and corners slide along, an ulp off now and then", "", {}}, grazing},
+      {{"motion-double-contact", "two walls at once, or by an ulp one first", "", {}}, double_contact},
+      {{"motion-tunnelling", "fast through a thin plate, or past it", "", {}}, tunnelling},
+      {{"motion-spin-in-socket", "a bar turns in a square tunnel", "", {}}, spin_in_socket},
+      {{"motion-rolling", "a cube turns about an edge above a plate", "", {}}, rolling},
+      {{"motion-resting", "on a plate or by an ulp not, and away", "", {}}, resting},
+      {{"motion-nested", "one within the other, to the end or through the wall", "", {}}, nested},
+      {{"motion-at-end", "contact at the end alone, or by an ulp not", "", {}}, at_end},
+      {{"motion-tiny-and-huge", "lengths times a power of two, motions of an ulp", "", {}}, tiny_and_huge},
+      {{"motion-flattened", "a linear motion that turns a body inside out", "", {}}, flattened},
+      {{"motion-tiny-fractions",
+        "those before, huge bodies under fractions that are rounded to denormals, or to 0",
+        "",
+        {}},
+       tiny_fractions},
+      {{"motion-landings", "plates of many triangles land flat, or tilted by little", "", {}}, landings},
+  };
+}
 
 }  // namespace
 }  // namespace moving_body_family
 
-std::span<const Moving_body_family> moving_body_families() { return moving_body_family::of_bodies; }
-
-const Moving_body_family* find_moving_body_family(std::string_view name)
+const std::vector<Moving_body_family>& moving_body_families()
 {
-  const auto found = std::ranges::find(moving_body_family::of_bodies, name, &Moving_body_family::name);
-  return found == moving_body_family::of_bodies.end() ? nullptr : &*found;
+  static const std::vector<Moving_body_family> all = numbered(moving_body_family::entries());
+  return all;
 }
 
 Moving_bodies moving_bodies_case(const Moving_body_family& family, std::uint64_t seed, std::uint64_t index)
 {
   Random random = random_of_case(seed, family.name, index);
-  return family.make(random);
+  Moving_bodies made = family.make(random);
+  made.origin = family.origin(seed, index);
+  return made;
 }
 
 }  // namespace tetracone::verify

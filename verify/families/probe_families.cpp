@@ -212,46 +212,29 @@ using Entries = std::vector<Probe_family>;
 Entries entries_of_points()
 {
   return {
-      {0,
-       "point-anywhere",
-       "points in and about the box",
-       "parts that its sides are cut in; 0: any doubles",
-       {0, 12, 3},
+      {{"point-anywhere", "points in and about the box", "parts that its sides are cut in; 0: any doubles", {0, 12, 3}},
        {},
        point_anywhere},
-      {0, "point-on-vertex", "at a vertex", "ulps beside it", {0, 1, 2, 16}, {}, point_on_vertex},
-      {0, "point-on-edge", "on an edge, at i / 2^k", "k", {1, 3, 10, 30, 52}, {}, point_on_edge},
-      {0, "point-on-face", "in a face, at i / 2^k and j / 2^k", "k", {1, 3, 10, 26, 52}, {}, point_on_face},
-      {0, "point-near-surface", "beside an edge or a face", "ulps", {1, 2, 16, 1024}, {}, point_near_surface},
-      {0,
-       "point-on-plane",
-       "in a face's plane, as a rule beyond it",
-       "times its sides",
-       {1, 0.5, 64, 0x1p30},
+      {{"point-on-vertex", "at a vertex", "ulps beside it", {0, 1, 2, 16}}, {}, point_on_vertex},
+      {{"point-on-edge", "on an edge, at i / 2^k", "k", {1, 3, 10, 30, 52}}, {}, point_on_edge},
+      {{"point-on-face", "in a face, at i / 2^k and j / 2^k", "k", {1, 3, 10, 26, 52}}, {}, point_on_face},
+      {{"point-near-surface", "beside an edge or a face", "ulps", {1, 2, 16, 1024}}, {}, point_near_surface},
+      {{"point-on-plane", "in a face's plane, as a rule beyond it", "times its sides", {1, 0.5, 64, 0x1p30}},
        {},
        point_on_plane},
-      {0, "point-on-line", "on an edge's line beyond it", "times its length", {2, 3, 64, 0x1p30}, {}, point_on_line},
-      {0, "point-of-coordinates", "each coordinate a vertex's", "ulps beside it", {0, 1, 2}, {}, point_of_coordinates},
-      {0, "point-at-origin", "at the covering's origin", "ulps beside it", {0, 1, 2, 16, 1024}, {}, point_at_origin},
-      {0,
-       "point-on-cone",
-       "in line with the covering's origin and a point of the surface",
-       "times its distance",
-       {0.5, 0x1p-10, 0x1p-50, 1, 1.5, 2, -1},
+      {{"point-on-line", "on an edge's line beyond it", "times its length", {2, 3, 64, 0x1p30}}, {}, point_on_line},
+      {{"point-of-coordinates", "each coordinate a vertex's", "ulps beside it", {0, 1, 2}}, {}, point_of_coordinates},
+      {{"point-at-origin", "at the covering's origin", "ulps beside it", {0, 1, 2, 16, 1024}}, {}, point_at_origin},
+      {{"point-on-cone",
+        "in line with the covering's origin and a point of the surface",
+        "times its distance",
+        {0.5, 0x1p-10, 0x1p-50, 1, 1.5, 2, -1}},
        {},
        point_on_cone},
-      {0,
-       "point-on-cell",
-       "on borders of cells of directions",
-       "their number on a side",
-       {1, 2, 4, 8, 16, 32},
+      {{"point-on-cell", "on borders of cells of directions", "their number on a side", {1, 2, 4, 8, 16, 32}},
        {},
        point_on_cell},
-      {0,
-       "point-of-any-size",
-       "coordinates of any exponent",
-       "exponent",
-       {-1070, -500, -20, 0, 20, 500, 1023},
+      {{"point-of-any-size", "coordinates of any exponent", "exponent", {-1070, -500, -20, 0, 20, 500, 1023}},
        {},
        point_of_any_size},
   };
@@ -260,63 +243,37 @@ Entries entries_of_points()
 Entries entries_of_rays()
 {
   return {
-      {0,
-       "ray-anywhere",
-       "from and to points in and about the box",
-       "parts that its sides are cut in; 0: any doubles",
-       {0, 12, 3},
+      {{"ray-anywhere",
+        "from and to points in and about the box",
+        "parts that its sides are cut in; 0: any doubles",
+        {0, 12, 3}},
        {},
        ray_anywhere},
-      {0, "ray-through-vertex", "through a vertex", "ulps beside it", {0, 1, 2, 16}, {}, ray_through_vertex},
-      {0, "ray-through-edge", "through an edge", "ulps beside it", {0, 1, 2, 16}, {}, ray_through_edge},
-      {0,
-       "ray-along-edge",
-       "along an edge, either way",
-       "where on its line it starts",
-       {0, 1, -1, -2, 0.5, 2, 0.25},
+      {{"ray-through-vertex", "through a vertex", "ulps beside it", {0, 1, 2, 16}}, {}, ray_through_vertex},
+      {{"ray-through-edge", "through an edge", "ulps beside it", {0, 1, 2, 16}}, {}, ray_through_edge},
+      {{"ray-along-edge", "along an edge, either way", "where on its line it starts", {0, 1, -1, -2, 0.5, 2, 0.25}},
        {},
        ray_along_edge},
-      {0, "ray-in-plane", "in a face's plane", "where it starts, times its sides", {1, 0.5, 0.25, 8}, {}, ray_in_plane},
-      {0,
-       "ray-from-surface",
-       "from a point of the surface",
-       "0 vertex, 1 edge, 2 face",
-       {0, 1, 2},
+      {{"ray-in-plane", "in a face's plane", "where it starts, times its sides", {1, 0.5, 0.25, 8}}, {}, ray_in_plane},
+      {{"ray-from-surface", "from a point of the surface", "0 vertex, 1 edge, 2 face", {0, 1, 2}},
        {},
        ray_from_surface},
-      {0,
-       "ray-along-axis",
-       "along an axis, each coordinate a vertex's",
-       "ulps beside it",
-       {0, 1, 2},
+      {{"ray-along-axis", "along an axis, each coordinate a vertex's", "ulps beside it", {0, 1, 2}},
        {},
        ray_along_axis},
-      {0,
-       "ray-from-origin",
-       "from the covering's origin",
-       "to a 0 vertex, 1 edge, 2 face",
-       {0, 1, 2},
+      {{"ray-from-origin", "from the covering's origin", "to a 0 vertex, 1 edge, 2 face", {0, 1, 2}},
        {},
        ray_from_origin},
-      {0,
-       "ray-of-any-length",
-       "directions as long as 2^e",
-       "e",
-       {-1070, -1000, -500, -30, 30, 500, 1000, 1022},
+      {{"ray-of-any-length", "directions as long as 2^e", "e", {-1070, -1000, -500, -30, 30, 500, 1000, 1022}},
        {},
        ray_of_any_length},
-      {0,
-       "ray-from-afar",
-       "from 2^f directions before a point of the surface",
-       "f",
-       {8, 20, 40, 52, 100, 500},
+      {{"ray-from-afar", "from 2^f directions before a point of the surface", "f", {8, 20, 40, 52, 100, 500}},
        {},
        ray_from_afar},
-      {0,
-       "ray-at-flat-faces",
-       "at bodies some of whose faces are segments or points, or are there twice",
-       "0 along an edge, 1 through a vertex, 2 through an edge, 3 through a face",
-       {0, 1, 2, 3},
+      {{"ray-at-flat-faces",
+        "at bodies some of whose faces are segments or points, or are there twice",
+        "0 along an edge, 1 through a vertex, 2 through an edge, 3 through a face",
+        {0, 1, 2, 3}},
        {"degenerate-face", "duplicates", "sliver"},
        ray_at_flat_faces},
   };
@@ -374,12 +331,6 @@ Random random_of(std::uint64_t seed, const Probe_family& family, std::uint64_t p
   return random_of_case(seed, (std::uint64_t(1) << 40) ^ std::uint64_t(2 * family.number) ^ part, index);
 }
 
-std::vector<Probe_family> numbered(std::vector<Probe_family> families, int from)
-{
-  for (Probe_family& family : families) family.number = from++;
-  return families;
-}
-
 }  // namespace
 
 Probe_case Probe_family::probe_case(std::uint64_t seed, std::uint64_t index) const
@@ -398,15 +349,15 @@ Probe_case Probe_family::probe_case(std::uint64_t seed, std::uint64_t index) con
     of = asked;
   }
   Random random = random_of(seed, *this, 1, index);
-  const double parameter = sweep[index % sweep.size()];
-  Probe probe = make(random, body, parameter);
+  const Origin of_case = origin(seed, index);
+  Probe probe = make(random, body, of_case.parameter);
   if (is_ray && probe.direction == kernel::Vertex{0, 0, 0}) probe.direction[one_of(random, 3)] = 1;
-  return {body.body, probe.from, probe.direction, {std::string(name), seed, index, parameter}};
+  return {body.body, probe.from, probe.direction, of_case};
 }
 
 const std::vector<Probe_family>& point_families()
 {
-  static const std::vector<Probe_family> all = numbered(probe_family::entries_of_points(), 1);
+  static const std::vector<Probe_family> all = numbered(probe_family::entries_of_points());
   return all;
 }
 
@@ -415,14 +366,6 @@ const std::vector<Probe_family>& ray_families()
   static const std::vector<Probe_family> all =
       numbered(probe_family::entries_of_rays(), int(point_families().size()) + 1);
   return all;
-}
-
-const Probe_family* find_probe_family(std::string_view name)
-{
-  for (const auto* families : {&point_families(), &ray_families()})
-    for (const Probe_family& family : *families)
-      if (family.name == name) return &family;
-  return nullptr;
 }
 
 }  // namespace tetracone::verify

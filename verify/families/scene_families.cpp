@@ -417,29 +417,27 @@ Scene_case tiny_fractions(Random& random, double size)
 std::vector<Scene_family> entries()
 {
   return {
-      {0, "scene-drift", "bodies that drift and turn by small steps", "step 2^e: e", {-3, -6, -10, -20}, drifting},
-      {0, "scene-meshes", "meshes close to one another, by small steps", "step 2^e: e", {-5, -7, -10}, close_meshes},
-      {0, "scene-jumps", "bodies that jump now and then, some far away", "one in so many", {2, 4, 8}, jumping},
-      {0, "scene-rests", "bodies that rest, and go back to where they stood", "how many move", {0, 1, 3}, resting},
-      {0, "scene-thin", "long thin bodies that turn", "length", {2, 8, 32}, thin},
-      {0, "scene-grid", "bodies on a grid, in exact contact", "ulps beside it", {0, 1, -1, 1024}, on_a_grid},
-      {0,
-       "scene-fractions",
-       "a grid turned by a rotation of fractions, in exact contact",
-       "integers of its quaternion up to",
-       {1, 3, 9},
+      {{"scene-drift", "bodies that drift and turn by small steps", "step 2^e: e", {-3, -6, -10, -20}}, drifting},
+      {{"scene-meshes", "meshes close to one another, by small steps", "step 2^e: e", {-5, -7, -10}}, close_meshes},
+      {{"scene-jumps", "bodies that jump now and then, some far away", "one in so many", {2, 4, 8}}, jumping},
+      {{"scene-rests", "bodies that rest, and go back to where they stood", "how many move", {0, 1, 3}}, resting},
+      {{"scene-thin", "long thin bodies that turn", "length", {2, 8, 32}}, thin},
+      {{"scene-grid", "bodies on a grid, in exact contact", "ulps beside it", {0, 1, -1, 1024}}, on_a_grid},
+      {{"scene-fractions",
+        "a grid turned by a rotation of fractions, in exact contact",
+        "integers of its quaternion up to",
+        {1, 3, 9}},
        on_a_turned_grid},
-      {0, "scene-crowd", "bodies that come and go", "one in so many a frame", {2, 3, 5}, coming_and_going},
-      {0, "scene-models", "bodies that change their models", "0 at rest, 1 as they move", {0, 1}, changing_models},
-      {0, "scene-ignored", "pairs that are not asked for any more", "pairs a frame", {1, 3}, ignoring},
-      {0, "scene-hollows", "bodies in cavities and tunnels", "step 2^-e: e", {3, 4, 10}, in_hollows},
-      {0, "scene-sizes", "bodies of many sizes", "the least is 2^-e: e", {2, 10, 40, 300}, of_many_sizes},
-      {0, "scene-wild", "poses that are no motions", "stretches up to 2^e: e", {1, 3, 30}, wild},
-      {0,
-       "scene-tiny-fractions",
-       "huge models under fractions that are rounded to denormals, or to 0",
-       "coordinates up to 2^e: e",
-       {0, 500, 1000, 1008, 1015},
+      {{"scene-crowd", "bodies that come and go", "one in so many a frame", {2, 3, 5}}, coming_and_going},
+      {{"scene-models", "bodies that change their models", "0 at rest, 1 as they move", {0, 1}}, changing_models},
+      {{"scene-ignored", "pairs that are not asked for any more", "pairs a frame", {1, 3}}, ignoring},
+      {{"scene-hollows", "bodies in cavities and tunnels", "step 2^-e: e", {3, 4, 10}}, in_hollows},
+      {{"scene-sizes", "bodies of many sizes", "the least is 2^-e: e", {2, 10, 40, 300}}, of_many_sizes},
+      {{"scene-wild", "poses that are no motions", "stretches up to 2^e: e", {1, 3, 30}}, wild},
+      {{"scene-tiny-fractions",
+        "huge models under fractions that are rounded to denormals, or to 0",
+        "coordinates up to 2^e: e",
+        {0, 500, 1000, 1008, 1015}},
        tiny_fractions},
   };
 }
@@ -450,29 +448,17 @@ std::vector<Scene_family> entries()
 Scene_case Scene_family::scene_case(std::uint64_t seed, std::uint64_t index) const
 {
   Random random = random_of_case(seed, (std::uint64_t(1) << 41) ^ std::uint64_t(number), index);
-  const double parameter = sweep[index % sweep.size()];
-  Scene_case made = make(random, parameter);
+  const Origin of_case = origin(seed, index);
+  Scene_case made = make(random, of_case.parameter);
   made.question = random.bits() % 2 == 0 ? kernel::Question::surface : kernel::Question::solid;
-  made.origin = {std::string(name), seed, index, parameter};
+  made.origin = of_case;
   return made;
 }
 
 const std::vector<Scene_family>& scene_families()
 {
-  static const std::vector<Scene_family> all = [] {
-    std::vector<Scene_family> all = scene_family::entries();
-    int number = 0;
-    for (Scene_family& family : all) family.number = ++number;
-    return all;
-  }();
+  static const std::vector<Scene_family> all = numbered(scene_family::entries());
   return all;
-}
-
-const Scene_family* find_scene_family(std::string_view name)
-{
-  for (const Scene_family& family : scene_families())
-    if (family.name == name) return &family;
-  return nullptr;
 }
 
 }  // namespace tetracone::verify

@@ -124,7 +124,8 @@ py::tuple case_of(const py::object& of_path)
 {
   const std::filesystem::path path = python::path_of(of_path);
   const Case_file file = read_case(path);
-  if (file.level != Level::object) throw Error(path.native() + ": the case of a predicate; expected one of two bodies");
+  if (file.level != Case_kind::object)
+    throw Error(path.native() + ": the case of a predicate; expected one of two bodies");
   py::list wrong;
   for (const Wrong& w : file.wrong) wrong.append(py::make_tuple(w.subject, w.answer));
   return py::make_tuple(Asked{*file.object, file.question}, bool(file.truth), std::move(wrong), file.cause);

@@ -1,6 +1,7 @@
-#include "verify/relations/contact_relations.h"
-
 #include "tetracone/kernel/number/pose.h"
+#include "verify/relations/changed_bodies.h"
+#include "verify/relations/moved_twins.h"
+#include "verify/relations/relations.h"
 
 #include <algorithm>
 #include <array>
@@ -16,21 +17,26 @@ using covering::Index;
 using kernel::Piece;
 using kernel::Rational;
 
-Verdict same(const Contact_forms& a, const Contact_forms& b) { return a == b ? Verdict::holds : Verdict::violated; }
-
-Verdict swapped_contacts(const Object_case& c, Running_subject& subject, const Contact_forms& given)
+Verdict swapped_features(const Feature_level::Trial& t)
 {
-  Object_case twin = c;
-  std::swap(twin.a, twin.b);
-  std::swap(twin.pose_a, twin.pose_b);
-  Listed_contacts back = subject.contacts(twin);
+  const auto forth = t.subject.features(t.c);
+  auto back = t.subject.features(with_bodies_swapped(t.c));
+  if (forth.outcome != Outcome::yes || back.outcome != Outcome::yes) return Verdict::not_applicable;
+  for (kernel::Feature_pair& pair : back.answer) pair.body = 1 - pair.body;
+  std::sort(back.answer.begin(), back.answer.end());
+  return verdict(forth.answer == back.answer);
+}
+
+Verdict swapped_contacts(const Contact_level::Trial& t)
+{
+  auto back = t.subject.contacts(with_bodies_swapped(t.c));
   if (back.outcome != Outcome::yes) return Verdict::not_applicable;
-  for (Contact_piece_form& form : back.forms) {
+  for (Contact_piece_form& form : back.answer) {
     std::swap(form.face_a, form.face_b);
     std::swap(form.in_a, form.in_b);
   }
-  std::sort(back.forms.begin(), back.forms.end());
-  return same(given, back.forms);
+  std::sort(back.answer.begin(), back.answer.end());
+  return verdict(t.given == back.answer);
 }
 
 /// The common map: not rigid, and it turns bodies over.
@@ -61,16 +67,16 @@ std::optional<kernel::Pose> mapped(const kernel::Pose& pose)
   return kernel::Pose(entries);
 }
 
-Verdict mapped_contacts(const Object_case& c, Running_subject& subject, const Contact_forms& given)
+Verdict mapped_contacts(const Contact_level::Trial& t)
 {
-  const auto pose_a = mapped(c.pose_a), pose_b = mapped(c.pose_b);
+  const auto pose_a = mapped(t.c.pose_a), pose_b = mapped(t.c.pose_b);
   if (!pose_a || !pose_b) return Verdict::not_applicable;
-  Object_case twin = c;
+  Object_case twin = t.c;
   twin.pose_a = *pose_a;
   twin.pose_b = *pose_b;
-  const Listed_contacts found = subject.contacts(twin);
+  const auto found = t.subject.contacts(twin);
   if (found.outcome != Outcome::yes) return Verdict::not_applicable;
-  Contact_forms expected = given;
+  Contact_forms expected = t.given;
   for (Contact_piece_form& form : expected) {
     for (auto& [from, to] : form.border) {
       from = mapped(from);
@@ -80,14 +86,14 @@ Verdict mapped_contacts(const Object_case& c, Running_subject& subject, const Co
     std::sort(form.border.begin(), form.border.end());
   }
   std::sort(expected.begin(), expected.end());
-  return same(expected, found.forms);
+  return verdict(expected == found.answer);
 }
 
-Verdict contacts_where_surfaces_meet(const Object_case& c, Running_subject& subject, const Contact_forms& given)
+Verdict contacts_where_surfaces_meet(const Contact_level::Trial& t)
 {
-  const Outcome outcome = subject(c, kernel::Question::surface);
+  const Outcome outcome = t.subject(t.c, t.question);
   if (outcome != Outcome::yes && outcome != Outcome::no) return Verdict::not_applicable;
-  return given.empty() == (outcome == Outcome::no) ? Verdict::holds : Verdict::violated;
+  return verdict(t.given.empty() == (outcome == Outcome::no));
 }
 
 /// Segments and points as one set, whatever the faces.
@@ -121,38 +127,39 @@ std::optional<covering::Polyhedron> halved(const covering::Polyhedron& polyhedro
       changed = true;
       continue;
     }
-    std::vector<std::vector<Index>> loops;
-    for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l)
-      loops.emplace_back(polyhedron.loop(f, l).begin(), polyhedron.loop(f, l).end());
-    halves.add_face(loops);
+    halves.add_face(loops_of(polyhedron, f));
   }
   return changed ? std::optional(halves) : std::nullopt;
 }
 
-Verdict contacts_of_halves(const Object_case& c, Running_subject& subject, const Contact_forms& given)
+Verdict contacts_of_halves(const Contact_level::Trial& t)
 {
   const auto is_polygon = [](const Contact_piece_form& form) { return form.kind == Piece::polygon; };
-  if (std::ranges::any_of(given, is_polygon)) return Verdict::not_applicable;
-  const auto halves = halved(*c.a);
+  if (std::ranges::any_of(t.given, is_polygon)) return Verdict::not_applicable;
+  const auto halves = halved(*t.c.a);
   if (!halves) return Verdict::not_applicable;
-  Object_case twin = c;
+  Object_case twin = t.c;
   twin.a = std::make_shared<const covering::Polyhedron>(*halves);
-  const Listed_contacts found = subject.contacts(twin);
+  const auto found = t.subject.contacts(twin);
   if (found.outcome != Outcome::yes) return Verdict::not_applicable;
-  return point_set(given) == point_set(found.forms) ? Verdict::holds : Verdict::violated;
+  return verdict(point_set(t.given) == point_set(found.answer));
 }
+
+constexpr std::array of_features = std::to_array<Feature_level::Relation>({
+    {"R5 swap", "the pairs of A and B are those of B and A, with the bodies exchanged", swapped_features},
+});
+
+constexpr std::array of_contacts = std::to_array<Contact_level::Relation>({
+    {"R5 swap", "A and B may be swapped, which swaps faces and features", swapped_contacts},
+    {"R6 affine", "a common affine map maps the pieces", mapped_contacts},
+    {"R1 surface", "there are contacts exactly where the surfaces share a point", contacts_where_surfaces_meet},
+    {"R7 halves", "triangles cut in half share the same points", contacts_of_halves},
+});
 
 }  // namespace
 
-const std::array<Contact_relation, 4>& contact_relations()
-{
-  static const std::array<Contact_relation, 4> relations = {{
-      {"R5 swap", "A and B may be swapped, which swaps faces and features", swapped_contacts},
-      {"R6 affine", "a common affine map maps the pieces", mapped_contacts},
-      {"R1 surface", "there are contacts exactly where the surfaces share a point", contacts_where_surfaces_meet},
-      {"R7 halves", "triangles cut in half share the same points", contacts_of_halves},
-  }};
-  return relations;
-}
+std::span<const Feature_level::Relation> feature_relations() { return of_features; }
+
+std::span<const Contact_level::Relation> contact_relations() { return of_contacts; }
 
 }  // namespace tetracone::verify

@@ -1,10 +1,10 @@
-#include "verify/relations/distance_relations.h"
-
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "verify/cases/exact_map.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/relations/changed_bodies.h"
+#include "verify/relations/moved_twins.h"
+#include "verify/relations/relations.h"
 
 #include <array>
 #include <memory>
@@ -20,13 +20,11 @@ using kernel::Question;
 using kernel::Rational;
 
 /// Relation: the squared distance of a twin is `factor` times the case's.
-Verdict times_as_far(const Told_distance& given, const Rational& factor, const Object_case& twin, Question question,
-                     Running_subject& subject)
+Verdict times_as_far(const Distance_level::Trial& t, const Rational& factor, const Object_case& twin)
 {
-  const Told_distance there = subject.distance(twin, question);
+  const auto there = t.subject.distance(twin, t.question);
   if (there.outcome != Outcome::yes) return Verdict::not_applicable;
-  return Rational(there.nearest.squared) == factor * Rational(given.nearest.squared) ? Verdict::holds
-                                                                                     : Verdict::violated;
+  return verdict(Rational(there.answer.nearest.squared) == factor * Rational(t.given.nearest.squared));
 }
 
 std::shared_ptr<const Polyhedron> as_shared(Polyhedron body)
@@ -34,18 +32,11 @@ std::shared_ptr<const Polyhedron> as_shared(Polyhedron body)
   return std::make_shared<const Polyhedron>(std::move(body));
 }
 
-Verdict as_far_swapped(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
-                       Random&)
-{
-  Object_case twin = c;
-  std::swap(twin.a, twin.b);
-  std::swap(twin.pose_a, twin.pose_b);
-  return times_as_far(given, 1, twin, question, subject);
-}
+Verdict as_far_swapped(const Distance_level::Trial& t) { return times_as_far(t, 1, with_bodies_swapped(t.c)); }
 
 /// Relation: both poses are followed by a permutation of the axes and a scaling by `factor`.
-Verdict moved_together(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
-                       const Signed_permutation& p, const Rational& factor, const object_family::Exact_vector& shift)
+Verdict moved_together(const Distance_level::Trial& t, const Signed_permutation& p, const Rational& factor,
+                       const object_family::Exact_vector& shift)
 {
   const auto moved = [&](const kernel::Pose& pose) -> std::optional<kernel::Pose> {
     Entries entries = entries_of(turned(p, pose));
@@ -53,101 +44,90 @@ Verdict moved_together(const Object_case& c, Question question, Running_subject&
     for (std::size_t k = 0; k < 3; ++k) entries[4 * k + 3] += shift[k];
     return exact_pose(entries, true);
   };
-  const auto pose_a = moved(c.pose_a), pose_b = moved(c.pose_b);
+  const auto pose_a = moved(t.c.pose_a), pose_b = moved(t.c.pose_b);
   if (!pose_a || !pose_b) return Verdict::not_applicable;
-  Object_case twin = c;
+  Object_case twin = t.c;
   twin.pose_a = *pose_a;
   twin.pose_b = *pose_b;
-  return times_as_far(given, Rational(factor * factor), twin, question, subject);
+  return times_as_far(t, Rational(factor * factor), twin);
 }
 
-Verdict as_far_moved(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
-                     Random& random)
+Verdict as_far_moved(const Distance_level::Trial& t)
 {
-  const auto p = Signed_permutation::any(random);
+  const auto p = Signed_permutation::any(t.random);
   object_family::Exact_vector shift;
-  for (Rational& x : shift) x = Rational(int(one_of(random, 41)) - 20) / 7;
-  return moved_together(c, question, subject, given, p, 1, shift);
+  for (Rational& x : shift) x = Rational(int(one_of(t.random, 41)) - 20) / 7;
+  return moved_together(t, p, 1, shift);
 }
 
-Verdict twice_as_far(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
-                     Random&)
-{
-  return moved_together(c, question, subject, given, {}, 2, {0, 0, 0});
-}
+Verdict twice_as_far(const Distance_level::Trial& t) { return moved_together(t, {}, 2, {0, 0, 0}); }
 
-Verdict as_large_as_far(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
-                        Random& random)
+Verdict as_large_as_far(const Distance_level::Trial& t)
 {
-  const Rational factor = Rational(1 + int(one_of(random, 9))) / 3;
-  return moved_together(c, question, subject, given, {}, factor, {0, 0, 0});
+  const Rational factor = Rational(1 + int(one_of(t.random, 9))) / 3;
+  return moved_together(t, {}, factor, {0, 0, 0});
 }
 
 /// Relation: B moves a fraction of the way to A's nearest point. By the triangle inequality no pair of points comes
 /// nearer than the rest of the way, and the nearest points are that near.
-Verdict approached(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
-                   Random& random)
+Verdict approached(const Distance_level::Trial& t)
 {
-  if (given.nearest.squared == "0") return Verdict::not_applicable;
-  const Rational share = Rational(1 + int(one_of(random, 4))) / 4, rest = 1 - share;
+  if (t.given.nearest.squared == "0") return Verdict::not_applicable;
+  const Rational share = Rational(1 + int(one_of(t.random, 4))) / 4, rest = 1 - share;
   object_family::Exact_vector way;
   for (std::size_t k = 0; k < 3; ++k)
-    way[k] = share * (Rational(given.nearest.point[0][k]) - Rational(given.nearest.point[1][k]));
-  Entries entries = entries_of(c.pose_b);
+    way[k] = share * (Rational(t.given.nearest.point[0][k]) - Rational(t.given.nearest.point[1][k]));
+  Entries entries = entries_of(t.c.pose_b);
   for (std::size_t k = 0; k < 3; ++k) entries[4 * k + 3] += way[k];
   const auto pose = exact_pose(entries, true);
   if (!pose) return Verdict::not_applicable;
-  Object_case twin = c;
+  Object_case twin = t.c;
   twin.pose_b = *pose;
-  return times_as_far(given, Rational(rest * rest), twin, question, subject);
+  return times_as_far(t, Rational(rest * rest), twin);
 }
 
-Verdict as_far_in_any_order(const Object_case& c, Question question, Running_subject& subject,
-                            const Told_distance& given, Random& random)
+Verdict as_far_in_any_order(const Distance_level::Trial& t)
 {
-  Object_case twin = c;
-  twin.a = as_shared(reordered(*c.a, random).body);
-  twin.b = as_shared(wound_backwards(*c.b).body);
-  return times_as_far(given, 1, twin, question, subject);
+  Object_case twin = t.c;
+  twin.a = as_shared(reordered(*t.c.a, t.random).body);
+  twin.b = as_shared(wound_backwards(*t.c.b).body);
+  return times_as_far(t, 1, twin);
 }
 
-Verdict as_far_split(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
-                     Random&)
+Verdict as_far_split(const Distance_level::Trial& t)
 {
-  const auto a = split_inside(*c.a), b = split_inside(*c.b);
+  const auto a = split_inside(*t.c.a), b = split_inside(*t.c.b);
   if (!a && !b) return Verdict::not_applicable;
-  Object_case twin = c;
+  Object_case twin = t.c;
   if (a) twin.a = as_shared(a->body);
   if (b) twin.b = as_shared(b->body);
-  return times_as_far(given, 1, twin, question, subject);
+  return times_as_far(t, 1, twin);
 }
 
 /// Relation of the surfaces: a body that loses a face does not get nearer.
-Verdict a_face_less(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
-                    Random& random)
+Verdict a_face_less(const Distance_level::Trial& t)
 {
-  if (question != Question::surface || c.a->face_count() < 2) return Verdict::not_applicable;
-  const auto without = covering::Index(one_of(random, c.a->face_count()));
+  if (t.question != Question::surface || t.c.a->face_count() < 2) return Verdict::not_applicable;
+  const auto without = covering::Index(one_of(t.random, t.c.a->face_count()));
   Polyhedron rest;
-  rest.vertices = c.a->vertices;
-  for (covering::Index f = 0; f < c.a->face_count(); ++f)
-    if (f != without) rest.add_face(loops_of(*c.a, f));
-  Object_case twin = c;
+  rest.vertices = t.c.a->vertices;
+  for (covering::Index f = 0; f < t.c.a->face_count(); ++f)
+    if (f != without) rest.add_face(loops_of(*t.c.a, f));
+  Object_case twin = t.c;
   twin.a = as_shared(std::move(rest));
-  const Told_distance there = subject.distance(twin, question);
+  const auto there = t.subject.distance(twin, t.question);
   if (there.outcome != Outcome::yes) return Verdict::not_applicable;
-  return Rational(there.nearest.squared) >= Rational(given.nearest.squared) ? Verdict::holds : Verdict::violated;
+  return verdict(Rational(there.answer.nearest.squared) >= Rational(t.given.nearest.squared));
 }
 
-Verdict zero_where_they_collide(const Object_case& c, Question question, Running_subject& subject,
-                                const Told_distance& given, Random&)
+Verdict zero_where_they_collide(const Distance_level::Trial& t)
 {
-  const Outcome outcome = subject(c, question);
+  const Outcome outcome = t.subject(t.c, t.question);
   if (outcome != Outcome::yes && outcome != Outcome::no) return Verdict::not_applicable;
-  return (given.nearest.squared == "0") == (outcome == Outcome::yes) ? Verdict::holds : Verdict::violated;
+  return verdict((t.given.nearest.squared == "0") == (outcome == Outcome::yes));
 }
 
-constexpr std::array<Distance_relation, 9> all = {{
+constexpr std::array of_distances = std::to_array<Distance_level::Relation>({
     {"R1 zero", "the distance is 0 exactly where the bodies collide", zero_where_they_collide},
     {"R5 swap", "A and B may be swapped", as_far_swapped},
     {"R6 motion", "a common permutation of the axes and translation keeps the distance", as_far_moved},
@@ -157,10 +137,10 @@ constexpr std::array<Distance_relation, 9> all = {{
     {"R8 order", "vertices and faces may stand in any order, and loops run either way", as_far_in_any_order},
     {"R9 removing", "a face less brings surfaces no nearer", a_face_less},
     {"R13 approach", "a share of the way to the nearest point leaves the rest of the distance", approached},
-}};
+});
 
 }  // namespace
 
-std::span<const Distance_relation> distance_relations() { return all; }
+std::span<const Distance_level::Relation> distance_relations() { return of_distances; }
 
 }  // namespace tetracone::verify

@@ -28,8 +28,6 @@ bool equal(const First& a, const First& b)
   return a.has_value() == b.has_value() && (!a || (a->lo == b->lo && a->hi == b->hi));
 }
 
-Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::violated; }
-
 /// The first contact of the reversed motion is the last of the motion, so not before its first.
 Verdict reversed_time(const Moving_pair& pair, Random&)
 {

@@ -3,7 +3,7 @@
 
 #include "tetracone/kernel/motion/moving_pair.h"
 #include "verify/cases/random.h"
-#include "verify/relations/metamorphic_relations.h"
+#include "verify/relations/level.h"
 
 #include <span>
 #include <string_view>

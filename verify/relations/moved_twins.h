@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "verify/cases/case.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/random.h"
 
@@ -10,10 +11,19 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
-/// Motions of a case's poses, for relations of both levels.
+/// Twins of cases with poses, for relations of several levels.
 namespace tetracone::verify {
+
+/// Returns the case with A and B swapped.
+inline Object_case with_bodies_swapped(Object_case c)
+{
+  std::swap(c.a, c.b);
+  std::swap(c.pose_a, c.pose_b);
+  return c;
+}
 
 /// Returns the largest absolute coordinate of a translation.
 inline double largest_translation(const kernel::Pose& a, const kernel::Pose& b)

@@ -3,8 +3,8 @@
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/tetrahedron.h"
 #include "verify/relations/changed_bodies.h"
-#include "verify/relations/metamorphic_relations.h"
 #include "verify/relations/moved_twins.h"
+#include "verify/relations/relations.h"
 
 #include <algorithm>
 #include <array>
@@ -26,29 +26,31 @@ using kernel::Vertex;
 using Answer = std::optional<bool>;
 using Loops = std::vector<std::vector<Index>>;
 
-Answer ask(Running_subject& subject, const Object_case& c, Question question)
+Answer ask(const Object_level::Trial& t, const Object_case& c)
 {
-  const Outcome outcome = subject(c, question);
+  const Outcome outcome = t.subject(c, t.question);
   return outcome == Outcome::yes ? Answer(true) : outcome == Outcome::no ? Answer(false) : std::nullopt;
 }
 
-Verdict same(const Object_case& c, const Object_case& twin, Question question, Running_subject& subject)
+Verdict same(const Object_level::Trial& t, const Object_case& twin)
 {
-  const Answer answer = ask(subject, c, question);
+  const Answer answer = ask(t, t.c);
   if (!answer) return Verdict::not_applicable;
-  const Answer of_twin = ask(subject, twin, question);
-  if (!of_twin) return Verdict::not_applicable;
-  return *answer == *of_twin ? Verdict::holds : Verdict::violated;
+  const Answer of_twin = ask(t, twin);
+  return of_twin ? verdict(*answer == *of_twin) : Verdict::not_applicable;
 }
 
 /// One of the two bodies of a case, with its pose.
-struct Body {
+struct Posed_body {
   std::shared_ptr<const Polyhedron>& polyhedron;
   Pose& pose;
 
   void become(Polyhedron changed) { polyhedron = std::make_shared<const Polyhedron>(std::move(changed)); }
 };
-Body body(Object_case& c, std::size_t which) { return which == 0 ? Body{c.a, c.pose_a} : Body{c.b, c.pose_b}; }
+Posed_body body(Object_case& c, std::size_t which)
+{
+  return which == 0 ? Posed_body{c.a, c.pose_a} : Posed_body{c.b, c.pose_b};
+}
 
 /// Returns the polyhedron with the vertices of `what` and the faces that change(loops of face, add) adds for each of
 /// its faces.
@@ -72,12 +74,12 @@ double scale_of(const Object_case& c)
 
 // --- motions ---------------------------------------------------------------------------------------------------------
 
-Verdict absorbed(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict absorbed(const Object_level::Trial& t)
 {
-  Object_case twin = c;
+  Object_case twin = t.c;
   bool changed = false;
   for (const std::size_t which : {0, 1}) {
-    Body it = body(twin, which);
+    Posed_body it = body(twin, which);
     if (it.pose.is_identity()) continue;
     if (auto placed = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_image(it.pose, v); })) {
       it.become(std::move(*placed));
@@ -86,56 +88,50 @@ Verdict absorbed(const Object_case& c, Question question, Running_subject& subje
     }
   }
   if (!changed) {  // the part of a motion that any double can take: a permutation of the axes
-    Body it = body(twin, one_of(random, 2));
-    const auto p = Signed_permutation::any(random);
+    Posed_body it = body(twin, one_of(t.random, 2));
+    const auto p = Signed_permutation::any(t.random);
     it.become(*with_vertices(*it.polyhedron, [&](const Vertex& v) -> std::optional<Vertex> { return p(v); }));
     it.pose = turned_back(it.pose, p);
   }
-  return same(c, twin, question, subject);
+  return same(t, twin);
 }
 
-Verdict swap(const Object_case& c, Question question, Running_subject& subject, Random&)
-{
-  Object_case twin = c;
-  std::swap(twin.a, twin.b);
-  std::swap(twin.pose_a, twin.pose_b);
-  return same(c, twin, question, subject);
-}
+Verdict swap(const Object_level::Trial& t) { return same(t, with_bodies_swapped(t.c)); }
 
-Verdict relative(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict relative(const Object_level::Trial& t)
 {
-  Object_case twin = c;
-  const std::size_t which = one_of(random, 2);
-  Body still = body(twin, which), other = body(twin, 1 - which);
+  Object_case twin = t.c;
+  const std::size_t which = one_of(t.random, 2);
+  Posed_body still = body(twin, which), other = body(twin, 1 - which);
   if (still.pose.is_identity()) return Verdict::not_applicable;
   const auto pose = seen_from(still.pose, other.pose);
   if (!pose) return Verdict::not_applicable;
   other.pose = *pose;
   still.pose = Pose();
-  return same(c, twin, question, subject);
+  return same(t, twin);
 }
 
-Verdict common_motion(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict common_motion(const Object_level::Trial& t)
 {
-  Object_case twin = c;
-  const auto p = Signed_permutation::any(random);
-  if (!move_together(twin, p, scale_of(c), random)) return Verdict::not_applicable;
-  return same(c, twin, question, subject);
+  Object_case twin = t.c;
+  const auto p = Signed_permutation::any(t.random);
+  if (!move_together(twin, p, scale_of(t.c), t.random)) return Verdict::not_applicable;
+  return same(t, twin);
 }
 
-Verdict scaling(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict scaling(const Object_level::Trial& t)
 {
-  const int exponent = (one_of(random, 2) == 0 ? 1 : -1) * int(1 + one_of(random, 40));
-  Object_case twin = c;
+  const int exponent = (one_of(t.random, 2) == 0 ? 1 : -1) * int(1 + one_of(t.random, 40));
+  Object_case twin = t.c;
   for (const std::size_t which : {0, 1}) {
-    Body it = body(twin, which);
+    Posed_body it = body(twin, which);
     auto bodies = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_scaled(v, exponent); });
     const auto pose = scaled(it.pose, exponent);
     if (!bodies || !pose) return Verdict::not_applicable;
     it.become(std::move(*bodies));
     it.pose = *pose;
   }
-  return same(c, twin, question, subject);
+  return same(t, twin);
 }
 
 // --- the same surface from other elements ----------------------------------------------------------------------------
@@ -223,14 +219,14 @@ std::optional<Polyhedron> with_split_face(const Polyhedron& what, Random& random
 
 /// The relation that a change of one body, chosen at random, changes no answer.
 template <std::optional<Polyhedron> (*change)(const Polyhedron&, Random&)>
-Verdict unchanged_by(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict unchanged_by(const Object_level::Trial& t)
 {
-  Object_case twin = c;
-  Body it = body(twin, one_of(random, 2));
-  auto changed = change(*it.polyhedron, random);
+  Object_case twin = t.c;
+  Posed_body it = body(twin, one_of(t.random, 2));
+  auto changed = change(*it.polyhedron, t.random);
   if (!changed) return Verdict::not_applicable;
   it.become(std::move(*changed));
-  return same(c, twin, question, subject);
+  return same(t, twin);
 }
 
 std::optional<Polyhedron> in_any_order(const Polyhedron& what, Random& random) { return reordered(what, random).body; }
@@ -274,31 +270,31 @@ std::optional<Polyhedron> with_tetrahedron(const Polyhedron& what, bool beside, 
   return result;
 }
 
-Verdict adding(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict adding(const Object_level::Trial& t)
 {
-  Object_case twin = c;
-  Body it = body(twin, one_of(random, 2));
-  auto more = with_tetrahedron(*it.polyhedron, question == Question::solid, random);
+  Object_case twin = t.c;
+  Posed_body it = body(twin, one_of(t.random, 2));
+  auto more = with_tetrahedron(*it.polyhedron, t.question == Question::solid, t.random);
   if (!more) return Verdict::not_applicable;
   it.become(std::move(*more));
-  if (ask(subject, c, question) != true) return Verdict::not_applicable;
-  const Answer with_more = ask(subject, twin, question);
+  if (ask(t, t.c) != true) return Verdict::not_applicable;
+  const Answer with_more = ask(t, twin);
   return !with_more ? Verdict::not_applicable : *with_more ? Verdict::holds : Verdict::violated;
 }
 
-Verdict removing(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict removing(const Object_level::Trial& t)
 {
   // Without a face a surface is less of it, but no solid's.
-  if (question != Question::surface) return Verdict::not_applicable;
-  Object_case twin = c;
-  Body it = body(twin, one_of(random, 2));
+  if (t.question != Question::surface) return Verdict::not_applicable;
+  Object_case twin = t.c;
+  Posed_body it = body(twin, one_of(t.random, 2));
   if (it.polyhedron->face_count() < 2) return Verdict::not_applicable;
-  const Index removed = one_of(random, it.polyhedron->face_count());
+  const Index removed = one_of(t.random, it.polyhedron->face_count());
   it.become(with_faces(it.polyhedron->vertices, *it.polyhedron, [&](Index f, const Loops& loops, Polyhedron& result) {
     if (f != removed) result.add_face(loops);
   }));
-  if (ask(subject, c, question) != false) return Verdict::not_applicable;
-  const Answer with_less = ask(subject, twin, question);
+  if (ask(t, t.c) != false) return Verdict::not_applicable;
+  const Answer with_less = ask(t, twin);
   return !with_less ? Verdict::not_applicable : *with_less ? Verdict::violated : Verdict::holds;
 }
 
@@ -318,22 +314,22 @@ std::optional<Polyhedron> with_unused_vertices(const Polyhedron& what, Random& r
   return result;
 }
 
-Verdict opposite_moves(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict opposite_moves(const Object_level::Trial& t)
 {
-  Object_case twin = c;
-  Body it = body(twin, one_of(random, 2));
+  Object_case twin = t.c;
+  Posed_body it = body(twin, one_of(t.random, 2));
   double largest = 0;
   for (const Vertex& v : it.polyhedron->vertices) largest = std::max(largest, magnitude(v));
-  const double unit = ulp(largest) * std::ldexp(1.0, int(one_of(random, 53)));
+  const double unit = ulp(largest) * std::ldexp(1.0, int(one_of(t.random, 53)));
   for (int attempt = 0; attempt < 8; ++attempt) {
     Vertex d;
-    for (double& coordinate : d) coordinate = unit * double(int(one_of(random, 17)) - 8);
+    for (double& coordinate : d) coordinate = unit * double(int(one_of(t.random, 17)) - 8);
     auto moved = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_sum(v, d); });
     const auto pose = translated_back(it.pose, d);
     if (!moved || !pose || d == Vertex{0, 0, 0}) continue;
     it.become(std::move(*moved));
     it.pose = *pose;
-    return same(c, twin, question, subject);
+    return same(t, twin);
   }
   return Verdict::not_applicable;
 }
@@ -361,15 +357,15 @@ bool is_convex(const Polyhedron& what)
   return covering::volume(what) != 0;
 }
 
-Verdict monotone(const Object_case& c, Question question, Running_subject& subject, Random& random)
+Verdict monotone(const Object_level::Trial& t)
 {
   // A surface inside another convex one does not meet it, on either side of that it does.
-  if (question != Question::solid || !is_convex(*c.a) || !is_convex(*c.b)) return Verdict::not_applicable;
+  if (t.question != Question::solid || !is_convex(*t.c.a) || !is_convex(*t.c.b)) return Verdict::not_applicable;
   std::vector<bool> answers;
-  for (const Pose& pose : poses_along_axis(c.pose_b, scale_of(c), random)) {
-    Object_case twin = c;
+  for (const Pose& pose : poses_along_axis(t.c.pose_b, scale_of(t.c), t.random)) {
+    Object_case twin = t.c;
     twin.pose_b = pose;
-    if (const Answer answer = ask(subject, twin, question)) answers.push_back(*answer);
+    if (const Answer answer = ask(t, twin)) answers.push_back(*answer);
   }
   if (answers.size() < 3) return Verdict::not_applicable;
   const auto first = std::find(answers.begin(), answers.end(), true);
@@ -377,43 +373,29 @@ Verdict monotone(const Object_case& c, Question question, Running_subject& subje
   return std::find(end, answers.end(), true) == answers.end() ? Verdict::holds : Verdict::violated;
 }
 
+constexpr std::array of_objects = std::to_array<Object_level::Relation>({
+    {"R3 absorbed", "a motion done to the vertices beforehand, exactly, gives the same answer", absorbed},
+    {"R5 swap", "A and B may be swapped", swap},
+    {"R5 relative",
+     "one body may stand still and the other be moved as seen from it, where the inverse motion is exact", relative},
+    {"R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion},
+    {"R6 scale", "everything times a power of two gives the same answer", scaling},
+    {"R7 edge", "an edge split in its middle, for all faces at it, gives the same answer",
+     unchanged_by<with_split_edge>},
+    {"R7 face", "a face split at an inner point or along a diagonal gives the same answer",
+     unchanged_by<with_split_face>},
+    {"R8 order", "vertices, faces and the first corners of loops may stand in any order", unchanged_by<in_any_order>},
+    {"R8 winding", "all loops may run the other way round", unchanged_by<backwards>},
+    {"R9 adding", "a shell more keeps a collision", adding},
+    {"R9 removing", "a face less keeps surfaces apart", removing},
+    {"R10 unused", "vertices of no face, which move the covering's origin, give the same answer",
+     unchanged_by<with_unused_vertices>},
+    {"R10 opposite", "vertices moved and the pose moved back, exactly, give the same answer", opposite_moves},
+    {"R13 monotone", "along a translation, convex solids meet in one stretch", monotone},
+});
+
 }  // namespace
 
-Verdict check_swapped_features(const Object_case& c, Running_subject& subject)
-{
-  Object_case twin = c;
-  std::swap(twin.a, twin.b);
-  std::swap(twin.pose_a, twin.pose_b);
-  const Listed forth = subject.features(c);
-  Listed back = subject.features(twin);
-  if (forth.outcome != Outcome::yes || back.outcome != Outcome::yes) return Verdict::not_applicable;
-  for (kernel::Feature_pair& pair : back.pairs) pair.body = 1 - pair.body;
-  std::sort(back.pairs.begin(), back.pairs.end());
-  return forth.pairs == back.pairs ? Verdict::holds : Verdict::violated;
-}
-
-std::vector<Relation> object_relations()
-{
-  return {
-      {"R3 absorbed", "a motion done to the vertices beforehand, exactly, gives the same answer", absorbed},
-      {"R5 swap", "A and B may be swapped", swap},
-      {"R5 relative",
-       "one body may stand still and the other be moved as seen from it, where the inverse motion is exact", relative},
-      {"R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion},
-      {"R6 scale", "everything times a power of two gives the same answer", scaling},
-      {"R7 edge", "an edge split in its middle, for all faces at it, gives the same answer",
-       unchanged_by<with_split_edge>},
-      {"R7 face", "a face split at an inner point or along a diagonal gives the same answer",
-       unchanged_by<with_split_face>},
-      {"R8 order", "vertices, faces and the first corners of loops may stand in any order", unchanged_by<in_any_order>},
-      {"R8 winding", "all loops may run the other way round", unchanged_by<backwards>},
-      {"R9 adding", "a shell more keeps a collision", adding},
-      {"R9 removing", "a face less keeps surfaces apart", removing},
-      {"R10 unused", "vertices of no face, which move the covering's origin, give the same answer",
-       unchanged_by<with_unused_vertices>},
-      {"R10 opposite", "vertices moved and the pose moved back, exactly, give the same answer", opposite_moves},
-      {"R13 monotone", "along a translation, convex solids meet in one stretch", monotone},
-  };
-}
+std::span<const Object_level::Relation> object_relations() { return of_objects; }
 
 }  // namespace tetracone::verify

@@ -1,7 +1,7 @@
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "verify/cases/exact_motion.h"
-#include "verify/relations/metamorphic_relations.h"
 #include "verify/relations/moved_twins.h"
+#include "verify/relations/relations.h"
 
 #include <algorithm>
 #include <array>
@@ -18,6 +18,7 @@ using kernel::Pose;
 using kernel::Rational;
 using kernel::Vertex;
 using Answer = std::optional<int>;
+using Trial = Predicate_level::Trial;
 
 /// The points of a case in one row: v0 v1 v2 v3 p q r.
 std::array<Vertex*, 7> points_of(Predicate_case& c) { return {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r}; }
@@ -41,17 +42,15 @@ bool is_asked(Predicate predicate, const Predicate_case& c)
 
 /// Returns the subject's answer; nothing when `Predicate` states that the case is not asked, whatever the subject
 /// answers.
-Answer ask(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c)
+Answer ask(const Trial& t, const Predicate_case& c)
 {
-  return is_asked(predicate, c) ? subject.answer(predicate, c) : std::nullopt;
+  return is_asked(t.question, c) ? t.subject.answer(t.question, c) : std::nullopt;
 }
 
-Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::violated; }
-
 /// Returns the answer after an affine map of all points: an orientation times `sign`, any other answer unchanged.
-Answer turned_over(Predicate predicate, Answer answer, int sign)
+Answer turned_over(const Trial& t, Answer answer, int sign)
 {
-  return answer && predicate == Predicate::orientation ? Answer(*answer * sign) : answer;
+  return answer && t.question == Predicate::orientation ? Answer(*answer * sign) : answer;
 }
 
 Verdict same(Answer a, Answer b) { return a && b ? verdict(*a == *b) : Verdict::not_applicable; }
@@ -64,13 +63,13 @@ Predicate_case under(Predicate_case c, const Pose& pose)
   return c;
 }
 
-Verdict permutations(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random&)
+Verdict permutations(const Trial& t)
 {
-  if (predicate != Predicate::orientation) return Verdict::not_applicable;
+  if (t.question != Predicate::orientation) return Verdict::not_applicable;
   // With p in its own frame the three vertices can change places; in one frame all four can.
   for (const bool mixed : {true, false}) {
-    const Predicate_case base = mixed ? c : under(c, c.pose_b);
-    const Answer answer = ask(subject, predicate, base);
+    const Predicate_case base = mixed ? t.c : under(t.c, t.c.pose_b);
+    const Answer answer = ask(t, base);
     if (!answer) return Verdict::not_applicable;
     std::array<int, 4> order{0, 1, 2, 3};
     do {
@@ -82,7 +81,7 @@ Verdict permutations(const Predicate_case& c, Predicate predicate, const Predica
       int parity = 1;
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < i; ++j) parity *= order[j] > order[i] ? -1 : 1;
-      const Answer of_twin = ask(subject, predicate, twin);
+      const Answer of_twin = ask(t, twin);
       if (!of_twin) return Verdict::not_applicable;
       if (*of_twin != parity * *answer) return Verdict::violated;
     } while (std::next_permutation(order.begin(), order.end()));
@@ -90,17 +89,17 @@ Verdict permutations(const Predicate_case& c, Predicate predicate, const Predica
   return Verdict::holds;
 }
 
-Verdict one_frame(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict one_frame(const Trial& t)
 {
-  const Pose& pose = one_of(random, 2) == 0 ? c.pose_a : c.pose_b;
+  const Pose& pose = one_of(t.random, 2) == 0 ? t.c.pose_a : t.c.pose_b;
   if (pose.is_identity()) return Verdict::not_applicable;
-  const Answer unmoved = ask(subject, predicate, under(c, Pose()));
-  return same(turned_over(predicate, unmoved, pose.determinant_sign()), ask(subject, predicate, under(c, pose)));
+  const Answer unmoved = ask(t, under(t.c, Pose()));
+  return same(turned_over(t, unmoved, pose.determinant_sign()), ask(t, under(t.c, pose)));
 }
 
-Verdict absorbed(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict absorbed(const Trial& t)
 {
-  const std::array<Vertex, 7> points = points_of(c);
+  const std::array<Vertex, 7> points = points_of(t.c);
   const auto images = [&](const Pose& pose, std::size_t begin, std::size_t end) -> std::optional<std::vector<Vertex>> {
     std::vector<Vertex> images;
     for (std::size_t k = begin; k < end; ++k) {
@@ -110,7 +109,7 @@ Verdict absorbed(const Predicate_case& c, Predicate predicate, const Predicate_s
     }
     return images;
   };
-  Predicate_case twin = c;
+  Predicate_case twin = t.c;
   bool changed = false;
   const auto absorb = [&](Pose& pose, std::size_t begin, std::size_t end) {
     if (pose.is_identity()) return;
@@ -123,22 +122,21 @@ Verdict absorbed(const Predicate_case& c, Predicate predicate, const Predicate_s
   absorb(twin.pose_a, 0, 4);
   absorb(twin.pose_b, 4, 7);
   if (!changed) {  // the part of a motion that any double can take: a permutation of the axes
-    const auto p = Signed_permutation::any(random);
+    const auto p = Signed_permutation::any(t.random);
     for (Vertex* point : points_of(twin)) *point = p(*point);
     twin.pose_a = turned_back(twin.pose_a, p);
     twin.pose_b = turned_back(twin.pose_b, p);
   }
-  return same(ask(subject, predicate, c), ask(subject, predicate, twin));
+  return same(ask(t, t.c), ask(t, twin));
 }
 
-Verdict grassmann_pluecker(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
-                           Random& random)
+Verdict grassmann_pluecker(const Trial& t)
 {
-  if (predicate != Predicate::orientation) return Verdict::not_applicable;
-  const std::array poses{Pose(), c.pose_a, c.pose_b};
-  const Predicate_case base = under(c, poses[one_of(random, poses.size())]);
+  if (t.question != Predicate::orientation) return Verdict::not_applicable;
+  const std::array poses{Pose(), t.c.pose_a, t.c.pose_b};
+  const Predicate_case base = under(t.c, poses[one_of(t.random, poses.size())]);
   std::array<int, 7> x{0, 1, 2, 3, 4, 5, 6};
-  for (int k = 0; k < 6; ++k) std::swap(x[k], x[k + one_of(random, 7 - k)]);
+  for (int k = 0; k < 6; ++k) std::swap(x[k], x[k + one_of(t.random, 7 - k)]);
   const auto points = points_of(base);
   bool answered = true;
   const auto sign = [&](int i, int j, int k, int l) {
@@ -147,7 +145,7 @@ Verdict grassmann_pluecker(const Predicate_case& c, Predicate predicate, const P
     quadruple.v[2] = points[x[j]];
     quadruple.v[3] = points[x[k]];
     quadruple.p = points[x[l]];
-    const Answer answer = ask(subject, predicate, quadruple);
+    const Answer answer = ask(t, quadruple);
     answered = answered && answer;
     return answer.value_or(0);
   };
@@ -159,16 +157,16 @@ Verdict grassmann_pluecker(const Predicate_case& c, Predicate predicate, const P
   return verdict((*least < 0) == (*largest > 0));
 }
 
-Verdict swap_ends(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random&)
+Verdict swap_ends(const Trial& t)
 {
-  if (predicate != Predicate::segment_triangle) return Verdict::not_applicable;
-  const Answer answer = ask(subject, predicate, c);
+  if (t.question != Predicate::segment_triangle) return Verdict::not_applicable;
+  const Answer answer = ask(t, t.c);
   if (!answer) return Verdict::not_applicable;
-  Predicate_case twin = c;
+  Predicate_case twin = t.c;
   for (int turn = 0; turn < 6; ++turn) {
     std::swap(twin.p, twin.q);
     if (turn % 2 == 1) std::rotate(twin.v.begin() + 1, twin.v.begin() + 2, twin.v.end());
-    const Verdict of_twin = same(answer, ask(subject, predicate, twin));
+    const Verdict of_twin = same(answer, ask(t, twin));
     if (of_twin != Verdict::holds) return of_twin;
   }
   return Verdict::holds;
@@ -182,98 +180,94 @@ double scale_of(const Predicate_case& c)
   return largest;
 }
 
-Verdict common_motion(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict common_motion(const Trial& t)
 {
-  Predicate_case twin = c;
-  const auto p = Signed_permutation::any(random);
-  if (!move_together(twin, p, scale_of(c), random)) return Verdict::not_applicable;
-  return same(turned_over(predicate, ask(subject, predicate, c), p.determinant()), ask(subject, predicate, twin));
+  Predicate_case twin = t.c;
+  const auto p = Signed_permutation::any(t.random);
+  if (!move_together(twin, p, scale_of(t.c), t.random)) return Verdict::not_applicable;
+  return same(turned_over(t, ask(t, t.c), p.determinant()), ask(t, twin));
 }
 
-Verdict scaling(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict scaling(const Trial& t)
 {
-  const int exponent = (one_of(random, 2) == 0 ? 1 : -1) * int(1 + one_of(random, 40));
-  Predicate_case twin = c;
+  const int exponent = (one_of(t.random, 2) == 0 ? 1 : -1) * int(1 + one_of(t.random, 40));
+  Predicate_case twin = t.c;
   for (Vertex* point : points_of(twin)) {
     const auto moved = exact_scaled(*point, exponent);
     if (!moved) return Verdict::not_applicable;
     *point = *moved;
   }
-  const auto a = scaled(c.pose_a, exponent), b = scaled(c.pose_b, exponent);
+  const auto a = scaled(t.c.pose_a, exponent), b = scaled(t.c.pose_b, exponent);
   if (!a || !b) return Verdict::not_applicable;
   twin.pose_a = *a;
   twin.pose_b = *b;
-  return same(ask(subject, predicate, c), ask(subject, predicate, twin));
+  return same(ask(t, t.c), ask(t, twin));
 }
 
 /// The whole is hit when a half is: `first` of the whole replaced by the middle, then `second`.
-Verdict halves(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
-               Vertex& (*first)(Predicate_case&), Vertex& (*second)(Predicate_case&))
+Verdict halves(const Trial& t, Vertex& (*first)(Predicate_case&), Vertex& (*second)(Predicate_case&))
 {
-  Predicate_case left = c, right = c;
+  Predicate_case left = t.c, right = t.c;
   const auto middle = exact_middle(first(left), second(left));
   if (!middle) return Verdict::not_applicable;
   second(left) = *middle;
   first(right) = *middle;
-  const Answer whole = ask(subject, predicate, c), a = ask(subject, predicate, left),
-               b = ask(subject, predicate, right);
+  const Answer whole = ask(t, t.c), a = ask(t, left), b = ask(t, right);
   return whole && a && b ? verdict(*whole == std::max(*a, *b)) : Verdict::not_applicable;
 }
 
-Verdict split(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict split(const Trial& t)
 {
   const auto v0 = [](Predicate_case& x) -> Vertex& { return x.v[0]; };
   const auto v1 = [](Predicate_case& x) -> Vertex& { return x.v[1]; };
   const auto v2 = [](Predicate_case& x) -> Vertex& { return x.v[2]; };
   const auto p = [](Predicate_case& x) -> Vertex& { return x.p; };
   const auto q = [](Predicate_case& x) -> Vertex& { return x.q; };
-  const bool of_b = one_of(random, 2) == 0;
-  switch (predicate) {
-    case Predicate::segment_triangle:
-      return of_b ? halves(c, predicate, subject, p, q) : halves(c, predicate, subject, v1, v2);
-    case Predicate::tetrahedron: return halves(c, predicate, subject, v0, v1);
-    case Predicate::tetra_cone: return halves(c, predicate, subject, v1, v2);
-    case Predicate::classification:
-      return of_b ? halves(c, predicate, subject, p, q) : halves(c, predicate, subject, v1, v2);
+  const bool of_b = one_of(t.random, 2) == 0;
+  switch (t.question) {
+    case Predicate::segment_triangle: return of_b ? halves(t, p, q) : halves(t, v1, v2);
+    case Predicate::tetrahedron: return halves(t, v0, v1);
+    case Predicate::tetra_cone: return halves(t, v1, v2);
+    case Predicate::classification: return of_b ? halves(t, p, q) : halves(t, v1, v2);
     default: return Verdict::not_applicable;
   }
 }
 
-Verdict order(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict order(const Trial& t)
 {
   // The points that stand for one another: of the tetrahedron all four, of a cone or triangle three.
-  if (predicate == Predicate::orientation) return Verdict::not_applicable;
-  const int first = predicate == Predicate::tetrahedron || predicate == Predicate::solid ? 0 : 1;
-  Predicate_case twin = c;
-  for (int k = first; k < 3; ++k) std::swap(twin.v[k], twin.v[k + one_of(random, 4 - k)]);
-  if (predicate == Predicate::classification) {
-    std::swap(twin.p, *std::array{&twin.p, &twin.q, &twin.r}[one_of(random, 3)]);
-    if (one_of(random, 2) == 0) std::swap(twin.q, twin.r);
+  if (t.question == Predicate::orientation) return Verdict::not_applicable;
+  const int first = t.question == Predicate::tetrahedron || t.question == Predicate::solid ? 0 : 1;
+  Predicate_case twin = t.c;
+  for (int k = first; k < 3; ++k) std::swap(twin.v[k], twin.v[k + one_of(t.random, 4 - k)]);
+  if (t.question == Predicate::classification) {
+    std::swap(twin.p, *std::array{&twin.p, &twin.q, &twin.r}[one_of(t.random, 3)]);
+    if (one_of(t.random, 2) == 0) std::swap(twin.q, twin.r);
   }
-  return same(ask(subject, predicate, c), ask(subject, predicate, twin));
+  return same(ask(t, t.c), ask(t, twin));
 }
 
-Verdict apex(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict apex(const Trial& t)
 {
-  if (predicate != Predicate::solid) return Verdict::not_applicable;
-  Predicate_case twin = c;
-  switch (one_of(random, 3)) {
-    case 0: twin.q = c.r; break;
-    case 1: twin.q = c.p; break;
+  if (t.question != Predicate::solid) return Verdict::not_applicable;
+  Predicate_case twin = t.c;
+  switch (one_of(t.random, 3)) {
+    case 0: twin.q = t.c.r; break;
+    case 1: twin.q = t.c.p; break;
     default:
-      for (double& coordinate : twin.q) coordinate += ulp(magnitude(c.q)) * (double(one_of(random, 2049)) - 1024);
+      for (double& coordinate : twin.q) coordinate += ulp(magnitude(t.c.q)) * (double(one_of(t.random, 2049)) - 1024);
       if (!std::isfinite(magnitude(twin.q))) return Verdict::not_applicable;
   }
-  return same(ask(subject, predicate, c), ask(subject, predicate, twin));
+  return same(ask(t, t.c), ask(t, twin));
 }
 
-Verdict stages(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random&)
+Verdict stages(const Trial& t)
 {
-  if (predicate != Predicate::orientation || !subject.name.starts_with("adaptive")) return Verdict::not_applicable;
+  if (t.question != Predicate::orientation || !t.subject.name.starts_with("adaptive")) return Verdict::not_applicable;
   std::array<Adaptive::Point_3, 7> x;
-  const auto points = points_of(c);
+  const auto points = points_of(t.c);
   for (int k = 0; k < 7; ++k) {
-    const Pose& pose = k < 4 ? c.pose_a : c.pose_b;
+    const Pose& pose = k < 4 ? t.c.pose_a : t.c.pose_b;
     x[k] = pose.is_identity() ? Adaptive::unmoved(points[k]) : Adaptive::placed(points[k], pose);
   }
   bool agree = true;
@@ -295,45 +289,43 @@ Verdict stages(const Predicate_case& c, Predicate predicate, const Predicate_sub
   return verdict(agree);
 }
 
-Verdict monotone(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict monotone(const Trial& t)
 {
   std::vector<int> answers;
-  for (const Pose& pose : poses_along_axis(c.pose_b, scale_of(c), random)) {
-    Predicate_case twin = c;
+  for (const Pose& pose : poses_along_axis(t.c.pose_b, scale_of(t.c), t.random)) {
+    Predicate_case twin = t.c;
     twin.pose_b = pose;
-    if (const Answer answer = ask(subject, predicate, twin)) answers.push_back(*answer);
+    if (const Answer answer = ask(t, twin)) answers.push_back(*answer);
   }
   if (answers.size() < 3) return Verdict::not_applicable;
   // An orientation is the sign of a linear function of the step. The others ask whether two convex sets meet: once
   // apart, always.
-  if (predicate == Predicate::orientation)
+  if (t.question == Predicate::orientation)
     return verdict(std::is_sorted(answers.begin(), answers.end()) || std::is_sorted(answers.rbegin(), answers.rend()));
   const auto top = std::max_element(answers.begin(), answers.end());
   return verdict(std::is_sorted(answers.begin(), top) &&
                  std::is_sorted(answers.rbegin(), std::make_reverse_iterator(top)));
 }
 
+constexpr std::array of_predicates = std::to_array<Predicate_level::Relation>({
+    {"R1 permutations", "a permutation of the four points turns the orientation by its parity, in mixed frames too",
+     permutations},
+    {"R2 one frame",
+     "where all points are under one pose, it changes nothing but the orientation, and that by sign(det M)", one_frame},
+    {"R3 absorbed", "a motion done to the points beforehand, exactly, gives the same answer", absorbed},
+    {"R4 grassmann-pluecker", "[abcd][abef] - [abce][abdf] + [abcf][abde] = 0 for the six signs", grassmann_pluecker},
+    {"R5 swap", "a segment's ends may be swapped and a triangle's corners rotated", swap_ends},
+    {"R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion},
+    {"R6 scale", "everything times a power of two gives the same answer", scaling},
+    {"R7 split", "the whole is met exactly when one of its two halves is", split},
+    {"R8 order", "corners of a tetrahedron, a cone or a triangle may stand in any order", order},
+    {"R10 apex", "another origin of the covering gives the same place of the point", apex},
+    {"R11 stages", "every stage of the adaptive kernel that decides a sign decides the exact one", stages},
+    {"R13 monotone", "along a translation, orientation is monotone and convex sets meet in one stretch", monotone},
+});
+
 }  // namespace
 
-std::vector<Relation> predicate_relations()
-{
-  return {
-      {"R1 permutations", "a permutation of the four points turns the orientation by its parity, in mixed frames too",
-       permutations},
-      {"R2 one frame",
-       "where all points are under one pose, it changes nothing but the orientation, and that by sign(det M)",
-       one_frame},
-      {"R3 absorbed", "a motion done to the points beforehand, exactly, gives the same answer", absorbed},
-      {"R4 grassmann-pluecker", "[abcd][abef] - [abce][abdf] + [abcf][abde] = 0 for the six signs", grassmann_pluecker},
-      {"R5 swap", "a segment's ends may be swapped and a triangle's corners rotated", swap_ends},
-      {"R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion},
-      {"R6 scale", "everything times a power of two gives the same answer", scaling},
-      {"R7 split", "the whole is met exactly when one of its two halves is", split},
-      {"R8 order", "corners of a tetrahedron, a cone or a triangle may stand in any order", order},
-      {"R10 apex", "another origin of the covering gives the same place of the point", apex},
-      {"R11 stages", "every stage of the adaptive kernel that decides a sign decides the exact one", stages},
-      {"R13 monotone", "along a translation, orientation is monotone and convex sets meet in one stretch", monotone},
-  };
-}
+std::span<const Predicate_level::Relation> predicate_relations() { return of_predicates; }
 
 }  // namespace tetracone::verify

@@ -1,7 +1,6 @@
-#include "verify/relations/probe_relations.h"
-
 #include "verify/cases/exact_motion.h"
 #include "verify/relations/changed_bodies.h"
+#include "verify/relations/relations.h"
 
 #include <algorithm>
 #include <array>
@@ -30,10 +29,10 @@ Probe_case about(const Probe_case& c, Polyhedron body)
 
 /// One and the other under a signed permutation of the axes, times a power of two and a shift that all take exactly;
 /// at least the permutation.
-Probe_case mapped(const Probe_case& c, Random& random, int& exponent)
+Probe_case mapped(const Probe_case& c, Random& random)
 {
   const auto p = Signed_permutation::any(random);
-  exponent = int(one_of(random, 61)) - 30;
+  const int exponent = int(one_of(random, 61)) - 30;
   double scale = magnitude(c.from);
   for (const Vertex& v : c.body->vertices) scale = std::max(scale, magnitude(v));
   Vertex shift;
@@ -55,55 +54,50 @@ Probe_case mapped(const Probe_case& c, Random& random, int& exponent)
   };
   if (const auto all = twin(moved, scaled)) return *all;
   if (const auto larger = twin(scaled, scaled)) return *larger;
-  exponent = 0;
   return *twin(turn, turn);
 }
 
 // --- points ----------------------------------------------------------------------------------------------------------
 
-Verdict same_place(const Probe_case& c, const Probe_case& twin, Running_probe& subject)
+Verdict same_place(const Point_level::Trial& t, const Probe_case& twin)
 {
-  const auto place = subject.where(c), of_twin = subject.where(twin);
-  if (!place || !of_twin) return Verdict::not_applicable;
-  return *place == *of_twin ? Verdict::holds : Verdict::violated;
+  const auto place = t.subject(t.c), of_twin = t.subject(twin);
+  if (place.outcome != Outcome::yes || of_twin.outcome != Outcome::yes) return Verdict::not_applicable;
+  return verdict(place.answer == of_twin.answer);
 }
 
-Verdict point_in_any_order(const Probe_case& c, Running_probe& subject, Random& random)
+Verdict point_in_any_order(const Point_level::Trial& t)
 {
-  return same_place(c, about(c, reordered(*c.body, random).body), subject);
+  return same_place(t, about(t.c, reordered(*t.c.body, t.random).body));
 }
 
-Verdict point_wound_backwards(const Probe_case& c, Running_probe& subject, Random&)
+Verdict point_wound_backwards(const Point_level::Trial& t)
 {
-  return same_place(c, about(c, wound_backwards(*c.body).body), subject);
+  return same_place(t, about(t.c, wound_backwards(*t.c.body).body));
 }
 
-Verdict point_mapped(const Probe_case& c, Running_probe& subject, Random& random)
+Verdict point_mapped(const Point_level::Trial& t) { return same_place(t, mapped(t.c, t.random)); }
+
+Verdict point_split(const Point_level::Trial& t)
 {
-  int exponent = 0;
-  return same_place(c, mapped(c, random, exponent), subject);
+  const auto split = split_inside(*t.c.body);
+  return split ? same_place(t, about(t.c, split->body)) : Verdict::not_applicable;
 }
 
-Verdict point_split(const Probe_case& c, Running_probe& subject, Random&)
+Verdict point_twice(const Point_level::Trial& t)
 {
-  const auto split = split_inside(*c.body);
-  return split ? same_place(c, about(c, split->body), subject) : Verdict::not_applicable;
-}
-
-Verdict point_twice(const Probe_case& c, Running_probe& subject, Random&)
-{
-  Polyhedron twice = *c.body;
-  for (Index f = 0; f < c.body->face_count(); ++f) twice.add_face(loops_of(*c.body, f));
-  return same_place(c, about(c, std::move(twice)), subject);
+  Polyhedron twice = *t.c.body;
+  for (Index f = 0; f < t.c.body->face_count(); ++f) twice.add_face(loops_of(*t.c.body, f));
+  return same_place(t, about(t.c, std::move(twice)));
 }
 
 /// An unused vertex moves the origin of the covering.
-Verdict point_from_another_origin(const Probe_case& c, Running_probe& subject, Random& random)
+Verdict point_from_another_origin(const Point_level::Trial& t)
 {
-  Polyhedron more = *c.body;
-  const Vertex extra = more.vertices[one_of(random, more.vertices.size())];
+  Polyhedron more = *t.c.body;
+  const Vertex extra = more.vertices[one_of(t.random, more.vertices.size())];
   for (int k = 0; k < 3; ++k) more.vertices.push_back(extra);
-  return same_place(c, about(c, std::move(more)), subject);
+  return same_place(t, about(t.c, std::move(more)));
 }
 
 // --- rays ------------------------------------------------------------------------------------------------------------
@@ -111,130 +105,122 @@ Verdict point_from_another_origin(const Probe_case& c, Running_probe& subject, R
 /// The least t of each face.
 using Met = std::map<Index, double>;
 
-std::optional<Met> met(const Probe_case& c, Running_probe& subject)
+std::optional<Met> met(const Ray_level::Trial& t, const Probe_case& c)
 {
-  const auto told = subject.hits(c);
-  if (!told) return std::nullopt;
+  const auto told = t.subject(c);
+  if (told.outcome != Outcome::yes) return std::nullopt;
   Met met;
-  for (const Ray_hit& hit : told->all) met[hit.face] = hit.t;
+  for (const Ray_hit& hit : told.answer.all) met[hit.face] = hit.t;
   return met;
 }
 
 /// Relation: the twin's ray meets the case's faces at equal t. The twin's faces are parts of the case's.
-Verdict same_hits(const Probe_case& c, const Changed_body& changed, Running_probe& subject)
+Verdict same_hits(const Ray_level::Trial& t, const Changed_body& changed)
 {
-  const auto here = met(c, subject), there = met(about(c, changed.body), subject);
+  const auto here = met(t, t.c), there = met(t, about(t.c, changed.body));
   if (!here || !there) return Verdict::not_applicable;
   Met whole;
-  for (const auto& [part, t] : *there) {
-    const auto [at, is_new] = whole.try_emplace(changed.of_face[part], t);
-    if (!is_new) at->second = std::min(at->second, t);
+  for (const auto& [part, at] : *there) {
+    const auto [least, is_new] = whole.try_emplace(changed.of_face[part], at);
+    if (!is_new) least->second = std::min(least->second, at);
   }
-  return whole == *here ? Verdict::holds : Verdict::violated;
+  return verdict(whole == *here);
 }
 
-Verdict ray_in_any_order(const Probe_case& c, Running_probe& subject, Random& random)
+Verdict ray_in_any_order(const Ray_level::Trial& t) { return same_hits(t, reordered(*t.c.body, t.random)); }
+
+Verdict ray_wound_backwards(const Ray_level::Trial& t) { return same_hits(t, wound_backwards(*t.c.body)); }
+
+Verdict ray_split(const Ray_level::Trial& t)
 {
-  return same_hits(c, reordered(*c.body, random), subject);
+  const auto split = split_inside(*t.c.body);
+  return split ? same_hits(t, *split) : Verdict::not_applicable;
 }
 
-Verdict ray_wound_backwards(const Probe_case& c, Running_probe& subject, Random&)
+Verdict ray_mapped(const Ray_level::Trial& t)
 {
-  return same_hits(c, wound_backwards(*c.body), subject);
-}
-
-Verdict ray_split(const Probe_case& c, Running_probe& subject, Random&)
-{
-  const auto split = split_inside(*c.body);
-  return split ? same_hits(c, *split, subject) : Verdict::not_applicable;
-}
-
-Verdict ray_mapped(const Probe_case& c, Running_probe& subject, Random& random)
-{
-  int exponent = 0;
-  const auto here = met(c, subject), there = met(mapped(c, random, exponent), subject);
-  if (!here || !there) return Verdict::not_applicable;
-  return *here == *there ? Verdict::holds : Verdict::violated;
+  const auto here = met(t, t.c), there = met(t, mapped(t.c, t.random));
+  return here && there ? verdict(*here == *there) : Verdict::not_applicable;
 }
 
 /// Relation: for a direction 2^k times as long, t is 2^-k times as large, unless that is denormal or infinite.
-Verdict ray_of_other_length(const Probe_case& c, Running_probe& subject, Random& random)
+Verdict ray_of_other_length(const Ray_level::Trial& t)
 {
-  const int exponent = int(one_of(random, 121)) - 60;
-  const auto direction = exact_scaled(c.direction, exponent);
+  const int exponent = int(one_of(t.random, 121)) - 60;
+  const auto direction = exact_scaled(t.c.direction, exponent);
   if (!direction) return Verdict::not_applicable;
-  Probe_case twin = c;
+  Probe_case twin = t.c;
   twin.direction = *direction;
-  const auto here = met(c, subject), there = met(twin, subject);
+  const auto here = met(t, t.c), there = met(t, twin);
   if (!here || !there) return Verdict::not_applicable;
   if (here->size() != there->size()) return Verdict::violated;
-  const auto is_plain = [](double t) { return t == 0 || std::isnormal(t); };
-  for (const auto& [face, t] : *here) {
+  const auto is_plain = [](double x) { return x == 0 || std::isnormal(x); };
+  for (const auto& [face, at] : *here) {
     const auto found = there->find(face);
     if (found == there->end()) return Verdict::violated;
-    const double expected = std::ldexp(t, -exponent);
-    if (is_plain(t) && is_plain(expected) && is_plain(found->second) && found->second != expected)
+    const double expected = std::ldexp(at, -exponent);
+    if (is_plain(at) && is_plain(expected) && is_plain(found->second) && found->second != expected)
       return Verdict::violated;
   }
   return Verdict::holds;
 }
 
 /// Relation: a ray back from the position at t = k meets the faces in between, too.
-Verdict ray_reversed(const Probe_case& c, Running_probe& subject, Random& random)
+Verdict ray_reversed(const Ray_level::Trial& t)
 {
-  const int exponent = int(one_of(random, 5));
+  const int exponent = int(one_of(t.random, 5));
   const double end = std::ldexp(1.0, exponent);
-  const auto way = exact_scaled(c.direction, exponent);
-  const auto from = way ? exact_sum(c.from, *way) : std::nullopt;
+  const auto way = exact_scaled(t.c.direction, exponent);
+  const auto from = way ? exact_sum(t.c.from, *way) : std::nullopt;
   if (!from) return Verdict::not_applicable;
-  Probe_case twin = c;
+  Probe_case twin = t.c;
   twin.from = *from;
   for (double& x : twin.direction) x = -x;
-  const auto here = met(c, subject), back = met(twin, subject);
+  const auto here = met(t, t.c), back = met(t, twin);
   if (!here || !back) return Verdict::not_applicable;
-  for (const auto& [face, t] : *here) {
+  for (const auto& [face, at] : *here) {
     const auto found = back->find(face);
-    if (t < end && found == back->end()) return Verdict::violated;
-    if (t > end && found != back->end() && found->second < end) return Verdict::violated;
+    if (at < end && found == back->end()) return Verdict::violated;
+    if (at > end && found != back->end() && found->second < end) return Verdict::violated;
     // One point of the face at most is met twice.
-    if (t < end && found != back->end() && found->second > end) return Verdict::violated;
+    if (at < end && found != back->end() && found->second > end) return Verdict::violated;
   }
-  for (const auto& [face, t] : *back)
-    if (t < end && !here->contains(face)) return Verdict::violated;
+  for (const auto& [face, at] : *back)
+    if (at < end && !here->contains(face)) return Verdict::violated;
   return Verdict::holds;
 }
 
 /// Relation: a ray that starts later meets the faces after its start as before.
-Verdict ray_started_later(const Probe_case& c, Running_probe& subject, Random& random)
+Verdict ray_started_later(const Ray_level::Trial& t)
 {
-  const int exponent = int(one_of(random, 5)) - 2;
+  const int exponent = int(one_of(t.random, 5)) - 2;
   const double start = std::ldexp(1.0, exponent);
-  const auto way = exact_scaled(c.direction, exponent);
-  const auto from = way ? exact_sum(c.from, *way) : std::nullopt;
+  const auto way = exact_scaled(t.c.direction, exponent);
+  const auto from = way ? exact_sum(t.c.from, *way) : std::nullopt;
   if (!from) return Verdict::not_applicable;
-  Probe_case twin = c;
+  Probe_case twin = t.c;
   twin.from = *from;
-  const auto here = met(c, subject), later = met(twin, subject);
+  const auto here = met(t, t.c), later = met(t, twin);
   if (!here || !later) return Verdict::not_applicable;
-  for (const auto& [face, t] : *here)
-    if (t > start && !later->contains(face)) return Verdict::violated;
-  for (const auto& [face, t] : *later)
+  for (const auto& [face, at] : *here)
+    if (at > start && !later->contains(face)) return Verdict::violated;
+  for (const auto& [face, at] : *later)
     if (!here->contains(face)) return Verdict::violated;
   return Verdict::holds;
 }
 
 /// Relation: the first hit is the first of all hits, which are in order.
-Verdict ray_first(const Probe_case& c, Running_probe& subject, Random&)
+Verdict ray_first(const Ray_level::Trial& t)
 {
-  const auto told = subject.hits(c);
-  if (!told) return Verdict::not_applicable;
-  const bool is_ordered =
-      std::ranges::is_sorted(told->all, [](const Ray_hit& x, const Ray_hit& y) { return x.t < y.t; });
-  const bool is_first = told->all.empty() ? !told->first : told->first && *told->first == told->all.front();
-  return is_ordered && is_first ? Verdict::holds : Verdict::violated;
+  const auto told = t.subject(t.c);
+  if (told.outcome != Outcome::yes) return Verdict::not_applicable;
+  const auto& [first, all] = told.answer;
+  const bool is_ordered = std::ranges::is_sorted(all, [](const Ray_hit& x, const Ray_hit& y) { return x.t < y.t; });
+  const bool is_first = all.empty() ? !first : first && *first == all.front();
+  return verdict(is_ordered && is_first);
 }
 
-constexpr std::array<Probe_relation, 6> of_points = {{
+constexpr std::array of_points = std::to_array<Point_level::Relation>({
     {"R6 motion", "a common permutation of the axes, power of two and shift gives the same answer", point_mapped},
     {"R7 face", "triangles split at inner points give the same answer", point_split},
     {"R8 order", "vertices, faces and the first corners of loops may stand in any order", point_in_any_order},
@@ -242,9 +228,9 @@ constexpr std::array<Probe_relation, 6> of_points = {{
     {"R9 twice", "the same surface a second time gives the same answer", point_twice},
     {"R10 unused", "vertices of no face, which move the covering's origin, give the same answer",
      point_from_another_origin},
-}};
+});
 
-constexpr std::array<Probe_relation, 8> of_rays = {{
+constexpr std::array of_rays = std::to_array<Ray_level::Relation>({
     {"R1 first", "the first face met is the first of all, which are in order", ray_first},
     {"R5 reversed", "a ray back meets the same faces between its ends", ray_reversed},
     {"R5 later", "a later start on the ray meets what comes after it", ray_started_later},
@@ -253,12 +239,12 @@ constexpr std::array<Probe_relation, 8> of_rays = {{
     {"R7 face", "triangles split at inner points are met as the whole", ray_split},
     {"R8 order", "vertices, faces and the first corners of loops may stand in any order", ray_in_any_order},
     {"R8 winding", "all loops may run the other way round", ray_wound_backwards},
-}};
+});
 
 }  // namespace
 
-std::span<const Probe_relation> point_relations() { return of_points; }
+std::span<const Point_level::Relation> point_relations() { return of_points; }
 
-std::span<const Probe_relation> ray_relations() { return of_rays; }
+std::span<const Ray_level::Relation> ray_relations() { return of_rays; }
 
 }  // namespace tetracone::verify

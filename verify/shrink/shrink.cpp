@@ -234,11 +234,11 @@ Object_check same_error(Running_subject& subject, Question question, Outcome ans
 Object_check same_error_of_features(Running_subject& subject, bool misses)
 {
   return [=, &subject](const Object_case& c) {
-    const Listed listed = subject.features(c);
+    const Told<Feature_pairs> listed = subject.features(c);
     if (listed.outcome != Outcome::yes) return false;
     const auto truth = features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
-    const bool has_all = std::ranges::includes(listed.pairs, truth);
-    return misses ? !has_all : has_all && listed.pairs.size() > truth.size();
+    const bool has_all = std::ranges::includes(listed.answer, truth);
+    return misses ? !has_all : has_all && listed.answer.size() > truth.size();
   };
 }
 

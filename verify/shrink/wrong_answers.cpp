@@ -28,7 +28,7 @@ bool is_closed(const Object_case& c) { return covering::is_closed(*c.a) && cover
 Case_file with_truth(const Object_case& c, Question question)
 {
   Case_file file;
-  file.level = Level::object;
+  file.level = Case_kind::object;
   file.object = c;
   file.question = question;
   file.object->surface = true_answer(c, Question::surface);
@@ -90,15 +90,15 @@ Case_file case_file_of(const Object_case& c, Question question, const Object_sub
   return file;
 }
 
-Case_file case_file_of(const Object_case& c, const Object_subject& subject, const Listed& listed)
+Case_file case_file_of(const Object_case& c, const Object_subject& subject, const Told<Feature_pairs>& listed)
 {
   Case_file file = with_truth(c, Question::surface);
   file.cause = subject.name + ": features";
   if (listed.outcome == Outcome::yes) {
     const auto truth = integer_truth::features(c);
     std::vector<kernel::Feature_pair> missed, invented;
-    std::ranges::set_difference(truth, listed.pairs, std::back_inserter(missed));
-    std::ranges::set_difference(listed.pairs, truth, std::back_inserter(invented));
+    std::ranges::set_difference(truth, listed.answer, std::back_inserter(missed));
+    std::ranges::set_difference(listed.answer, truth, std::back_inserter(invented));
     file.cause += ", " + std::to_string(missed.size()) + " missed of " + std::to_string(truth.size()) + ", " +
                   std::to_string(invented.size()) + " invented";
   } else {
@@ -111,7 +111,7 @@ Case_file case_file_of(const Object_case& c, const Object_subject& subject, cons
 Case_file case_file_of(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, int answer)
 {
   Case_file file;
-  file.level = Level::predicate;
+  file.level = Case_kind::predicate;
   file.points = c;
   file.predicate = predicate;
   file.truth = *true_answer(predicate, c);

@@ -25,7 +25,7 @@ std::string contact_of(const Object_case& c);
 Case_file case_file_of(const Object_case& c, kernel::Question question, const Object_subject& subject, Outcome answer);
 /// For a list of features: the case asks for the surfaces, and the cause gives the numbers of missed and invented
 /// pairs.
-Case_file case_file_of(const Object_case& c, const Object_subject& subject, const Listed& listed);
+Case_file case_file_of(const Object_case& c, const Object_subject& subject, const Told<Feature_pairs>& listed);
 Case_file case_file_of(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, int answer);
 
 }  // namespace tetracone::verify

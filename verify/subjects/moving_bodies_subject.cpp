@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <memory>
 
 namespace tetracone::verify {
@@ -19,27 +20,12 @@ std::unique_ptr<Query> query_of(const Moving_bodies& bodies, kernel::Question qu
   return std::make_unique<Query>(Body(bodies.a), Body(bodies.b), question);
 }
 
-std::optional<kernel::Time_bounds> contact_of(Query& query, const Moving_bodies& bodies)
+std::optional<kernel::Time_bounds> found_by_query(Query& query, const Moving_bodies& bodies)
 {
   const auto first = query.first_contact(Motion(motion_of(bodies.motion_a)), Motion(motion_of(bodies.motion_b)));
   if (!first) return std::nullopt;
   return kernel::Time_bounds{first->lo, first->hi};
 }
-
-class By_first_contact : public Running_motion {
- public:
-  Told_contact first_contact(const Moving_bodies& bodies, kernel::Question question) override
-  {
-    try {
-      const auto [query, making] = timed([&] { return query_of(bodies, question); });
-      const auto [first, asking] = timed([&] { return contact_of(*query, bodies); });
-      const Spent spent{making, asking};
-      return first ? Told_contact{Outcome::yes, *first, spent} : Told_contact{Outcome::no, {0, 0}, spent};
-    } catch (const std::exception&) {
-      return {Outcome::failed};
-    }
-  }
-};
 
 /// Returns a body's pose at a time, in double.
 kernel::Pose rounded_pose(const Motion_ends& ends, double time)
@@ -60,35 +46,37 @@ kernel::Pose rounded_pose(const Motion_ends& ends, double time)
   return kernel::Pose(entries);
 }
 
-class By_frames : public Running_motion {
- public:
-  explicit By_frames(int frames) : frames_(frames) {}
+/// Returns the first of so many evenly spaced times at which the bodies meet.
+std::optional<kernel::Time_bounds> first_frame(int frames, Query& query, const Moving_bodies& bodies)
+{
+  for (int frame = 0; frame < frames; ++frame) {
+    const double time = frame / (frames - 1.0);
+    const kernel::Pose a = rounded_pose(bodies.motion_a, time), b = rounded_pose(bodies.motion_b, time);
+    const bool is_flat = a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO;
+    if (!is_flat && query.collide(a, b)) return kernel::Time_bounds{time, time};
+  }
+  return std::nullopt;
+}
 
-  Told_contact first_contact(const Moving_bodies& bodies, kernel::Question question) override
+/// Finds the time by a query of the bodies.
+class By_query : public Running_motion {
+ public:
+  using Find = std::function<std::optional<kernel::Time_bounds>(Query&, const Moving_bodies&)>;
+  explicit By_query(Find find) : find_(std::move(find)) {}
+
+  Told_contact operator()(const Moving_bodies& bodies, kernel::Question question) override
   {
     try {
       const auto [query, making] = timed([&] { return query_of(bodies, question); });
-      auto [told, asking] = timed([&] { return first_frame(*query, bodies); });
-      told.spent = Spent{making, asking};
-      return told;
+      const auto [first, asking] = timed([&] { return find_(*query, bodies); });
+      return {first ? Outcome::yes : Outcome::no, first.value_or(kernel::Time_bounds{0, 0}), Spent{making, asking}};
     } catch (const std::exception&) {
       return {Outcome::failed};
     }
   }
 
  private:
-  Told_contact first_frame(Query& query, const Moving_bodies& bodies) const
-  {
-    for (int frame = 0; frame < frames_; ++frame) {
-      const double time = frame / (frames_ - 1.0);
-      const kernel::Pose a = rounded_pose(bodies.motion_a, time), b = rounded_pose(bodies.motion_b, time);
-      const bool is_flat = a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO;
-      if (!is_flat && query.collide(a, b)) return {Outcome::yes, {time, time}};
-    }
-    return {Outcome::no};
-  }
-
-  int frames_;
+  Find find_;
 };
 
 }  // namespace
@@ -112,17 +100,19 @@ kernel::Body_motion motion_of(const Motion_ends& ends)
 
 std::optional<kernel::Time_bounds> first_contact(const Moving_bodies& bodies, kernel::Question question)
 {
-  return contact_of(*query_of(bodies, question), bodies);
+  return found_by_query(*query_of(bodies, question), bodies);
 }
 
 std::vector<Moving_bodies_subject> moving_bodies_subjects()
 {
-  std::vector<Moving_bodies_subject> subjects = {
-      {"adaptive tree", true, "", [] { return std::make_unique<By_first_contact>(); }}};
+  const auto subject = [](const std::string& name, bool is_exact, const std::string& note, const By_query::Find& find) {
+    return Moving_bodies_subject{name, is_exact, note, [find] { return std::make_unique<By_query>(find); }};
+  };
+  std::vector<Moving_bodies_subject> subjects = {subject("adaptive tree", true, "", found_by_query)};
   for (const int frames : {10, 100, 1000})
-    subjects.push_back({"static " + std::to_string(frames), false,
-                        "exact static questions at " + std::to_string(frames) + " times, in poses of doubles",
-                        [frames] { return std::make_unique<By_frames>(frames); }});
+    subjects.push_back(subject("static " + std::to_string(frames), false,
+                               "exact static questions at " + std::to_string(frames) + " times, in poses of doubles",
+                               std::bind_front(first_frame, frames)));
   return subjects;
 }
 

@@ -7,12 +7,9 @@
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "verify/cases/moving_bodies.h"
-#include "verify/subjects/object_subject.h"
+#include "verify/subjects/running.h"
 
-#include <functional>
-#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace tetracone::verify {
@@ -26,27 +23,11 @@ kernel::Body_motion motion_of(const Motion_ends& ends);
 /// Returns the package's answer.
 std::optional<kernel::Time_bounds> first_contact(const Moving_bodies& bodies, kernel::Question question);
 
-/// A subject's answer to when two moving bodies first meet.
-struct Told_contact {
-  Outcome outcome = Outcome::not_asked;
-  kernel::Time_bounds time{0, 0};  ///< for yes: doubles around the time, equal for a subject with only one
-  std::optional<Spent> spent{};    ///< nothing if the subject gave no answer
-};
-
-/// A running subject of first contacts, for one thread.
-class Running_motion {
- public:
-  virtual ~Running_motion() = default;
-  virtual Told_contact first_contact(const Moving_bodies& bodies, kernel::Question question) = 0;
-};
-
-/// A method that answers when moving bodies first meet.
-struct Moving_bodies_subject {
-  std::string name;  ///< "adaptive tree", "static 100"
-  bool is_exact = false;
-  std::string note;  ///< for inexact ones: the question that they really answer
-  std::function<std::unique_ptr<Running_motion>()> make;
-};
+/// A running subject of first contacts, for one thread. The time is for `yes`: doubles around the exact one, equal for a
+/// subject with only one.
+using Running_motion = Running<Moving_bodies, kernel::Time_bounds, kernel::Question>;
+using Told_contact = Told<kernel::Time_bounds>;
+using Moving_bodies_subject = Subject_of<Running_motion>;
 
 /// The package's exact first contact, and its exact static questions at 10, 100 and 1000 times, evenly spaced from
 /// start to end, in poses of doubles.

@@ -55,120 +55,91 @@ class Own : public Running_subject {
 
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
-    spent_.reset();
-    if (has_more(c, most_faces_asked())) return Outcome::not_asked;
-    try {
-      make_ready(c, question, [&](const kernel::Pose& before) { pair_->collide(c.pose_a, before, question); });
-      return asked([&] { return pair_->collide(c.pose_a, c.pose_b, question) ? Outcome::yes : Outcome::no; });
-    } catch (const std::exception&) {
-      pair_.reset();
-      return Outcome::failed;
-    }
+    const auto collide = [&](const kernel::Pose& pose_b) { return pair_->collide(c.pose_a, pose_b, question); };
+    const Told<bool> told = tell(
+        c, question, most_faces_asked(), [&] { return collide(c.pose_b); }, collide);
+    spent_ = told.spent;
+    return told.outcome == Outcome::yes && !told.answer ? Outcome::no : told.outcome;
   }
 
-  Listed features(const Object_case& c) override
+  Told<Feature_pairs> features(const Object_case& c) override
   {
-    spent_.reset();
-    if (has_more(c, most_faces)) return {};
-    try {
-      make_ready(c, kernel::Question::surface);
-      return {Outcome::yes, asked([&] { return pair_->features(c.pose_a, c.pose_b); })};
-    } catch (const std::exception&) {
-      pair_.reset();
-      return {Outcome::failed, {}};
-    }
+    return tell(c, kernel::Question::surface, most_faces, [&] { return pair_->features(c.pose_a, c.pose_b); });
   }
 
-  Listed_contacts contacts(const Object_case& c) override
+  Told<Contact_forms> contacts(const Object_case& c) override
   {
-    spent_.reset();
-    if (has_more(c, most_faces)) return {};
-    try {
-      make_ready(c, kernel::Question::surface);
-      const Contacts contacts = asked([&] { return pair_->contacts(c.pose_a, c.pose_b); });
-      return {Outcome::yes, contact_forms(contacts)};
-    } catch (const std::exception&) {
-      pair_.reset();
-      return {Outcome::failed, {}};
-    }
+    const auto told = tell(c, kernel::Question::surface, most_faces,
+                           [&] { return std::optional(pair_->contacts(c.pose_a, c.pose_b)); });
+    return {told.outcome, told.answer ? contact_forms(*told.answer) : Contact_forms(), told.spent};
   }
 
-  Told_distance distance(const Object_case& c, kernel::Question question) override
+  Told<Distance_answer> distance(const Object_case& c, kernel::Question question) override
   {
-    spent_.reset();
-    if (has_more(c, subject_.kernel == Kernel_name::rational ? most_faces_in_rationals : most_faces)) return {};
-    try {
-      make_ready(c, question, [&](const kernel::Pose& before) { pair_->query(question)->distance(c.pose_a, before); });
-      Query& query = *pair_->query(question);
-      return asked([&] {
-        Nearest nearest = query.nearest(c.pose_a, c.pose_b);
-        return Told_distance{Outcome::yes, std::move(nearest), query.distance(c.pose_a, c.pose_b)};
-      });
-    } catch (const std::exception&) {
-      pair_.reset();
-      return {Outcome::failed, {}, 0};
-    }
+    const bool is_rational = subject_.kernel == Kernel_name::rational;
+    const auto distance = [&](const kernel::Pose& pose_b) {
+      return pair_->query(question)->distance(c.pose_a, pose_b);
+    };
+    const auto nearest = [&] {
+      Nearest nearest = pair_->query(question)->nearest(c.pose_a, c.pose_b);
+      return Distance_answer{std::move(nearest), distance(c.pose_b)};
+    };
+    return tell(c, question, is_rational ? most_faces_in_rationals : most_faces, nearest, distance);
   }
 
   Outcome within(const Object_case& c, kernel::Question question, const std::string& limit) override
   {
-    try {
-      make_ready(c, question);
-      return pair_->query(question)->within(c.pose_a, c.pose_b, limit) ? Outcome::yes : Outcome::no;
-    } catch (const std::exception&) {
-      pair_.reset();
-      return Outcome::failed;
-    }
+    const Told<bool> told =
+        tell(c, question, any_number, [&] { return pair_->query(question)->within(c.pose_a, c.pose_b, limit); });
+    return told.outcome == Outcome::yes && !told.answer ? Outcome::no : told.outcome;
   }
 
   void forget() override { pair_.reset(); }
   std::optional<Spent> spent() const override { return spent_; }
 
  private:
-  static bool has_more(const Object_case& c, std::size_t faces)
-  {
-    return c.a->face_count() > faces || c.b->face_count() > faces;
-  }
+  static constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
 
   std::size_t most_faces_asked() const
   {
     if (subject_.method != Method::tree) return most_faces;
     const bool largest = subject_.kernel == Kernel_name::adaptive || subject_.kernel == Kernel_name::double_;
-    return largest ? std::numeric_limits<std::size_t>::max() : most_faces_of_trees;
+    return largest ? any_number : most_faces_of_trees;
   }
 
-  /// Prepares the bodies and the question's query. A subject that remembers is then asked the poses before the case's
-  /// pose, each by `ask_before`.
-  template <class Ask>
-  void make_ready(const Object_case& c, kernel::Question question, const Ask& ask_before)
+  /// Prepares bodies of at most `faces` faces, and the question's query, and returns what answer() tells. A subject
+  /// that remembers is first asked the poses before the case's pose, each by ask_before(pose).
+  template <class Answer, class Ask>
+  Told<std::invoke_result_t<Answer>> tell(const Object_case& c, kernel::Question question, std::size_t faces,
+                                          const Answer& answer, const Ask& ask_before)
   {
-    making_ = timed([&] {
-                if (!pair_ || c.a != a_ || c.b != b_) {
-                  a_ = c.a;
-                  b_ = c.b;
-                  pair_ = prepare(subject_, *a_, *b_);
-                }
-                pair_->query(question);
-                if (subject_.remembers) std::ranges::for_each(poses_before(c), ask_before);
-                return true;
-              }).second;
+    if (c.a->face_count() > faces || c.b->face_count() > faces) return {};
+    try {
+      const std::uint64_t making = timed([&] {
+                                     if (!pair_ || c.a != a_ || c.b != b_) {
+                                       a_ = c.a;
+                                       b_ = c.b;
+                                       pair_ = prepare(subject_, *a_, *b_);
+                                     }
+                                     pair_->query(question);
+                                     if (subject_.remembers) std::ranges::for_each(poses_before(c), ask_before);
+                                     return true;
+                                   }).second;
+      auto [result, asking] = timed(answer);
+      return {Outcome::yes, std::move(result), Spent{making, asking}};
+    } catch (const std::exception&) {
+      pair_.reset();
+      return {Outcome::failed};
+    }
   }
-  void make_ready(const Object_case& c, kernel::Question question)
-  {
-    make_ready(c, question, [](const kernel::Pose&) {});
-  }
-
-  /// Returns answer() and records its time.
   template <class Answer>
-  std::invoke_result_t<Answer> asked(const Answer& answer)
+  Told<std::invoke_result_t<Answer>> tell(const Object_case& c, kernel::Question question, std::size_t faces,
+                                          const Answer& answer)
   {
-    auto [result, ns] = timed(answer);
-    spent_ = Spent{making_, ns};
-    return std::move(result);  // a structured binding is not moved by itself
+    return tell(c, question, faces, answer, [](const kernel::Pose&) {});
   }
 
   Subject subject_;
-  std::uint64_t making_ = 0;
   std::optional<Spent> spent_;
   std::shared_ptr<const covering::Polyhedron> a_, b_;
   std::unique_ptr<Prepared_pair> pair_;

@@ -4,14 +4,12 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "verify/cases/case.h"
-#include "verify/subjects/spent.h"
+#include "verify/subjects/running.h"
 #include "verify/subjects/subject.h"
 #include "verify/truth/contact_pieces.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,49 +17,20 @@
 
 namespace tetracone::verify {
 
-/// The result of asking a subject.
-enum class Outcome {
-  no,
-  yes,
-  not_asked,  ///< the subject does not take such input (a pose that is not rigid, for a peer whose transforms are;
-              ///< all pairs of 10^5 faces)
-  failed      ///< crash, hang, exception
-};
-
 /// The traces of a failed subject.
 struct Failure {
   std::string how;   ///< "status 3", "signal 11", "silent", "wrong line" or "exception"
   std::string said;  ///< the last line of its standard error, and the fault in its answer's line
 };
 
-/// A subject's list of the features of two placed bodies that meet.
-struct Listed {
-  Outcome outcome = Outcome::not_asked;     ///< yes: it has listed
-  std::vector<kernel::Feature_pair> pairs;  ///< sorted
-};
+/// All pairs of an edge of one body and a face of the other that share a point, sorted.
+using Feature_pairs = std::vector<kernel::Feature_pair>;
 
-/// A subject's list of the contacts of two placed bodies.
-struct Listed_contacts {
-  Outcome outcome = Outcome::not_asked;  ///< yes: it has listed
-  Contact_forms forms;                   ///< sorted
-};
-
-/// A subject's answer to the distance of two placed bodies.
-struct Told_distance {
-  Outcome outcome = Outcome::not_asked;  ///< yes: it has answered
+/// The distance of two placed bodies.
+struct Distance_answer {
   Nearest nearest;
   double alone = 0;  ///< the distance, asked for without the rest
 };
-
-/// Returns the value of an answer that is a list: its number of right elements or, where none is missing, its length.
-/// Requires sorted lists.
-template <class List>
-int as_number(const List& listed, const List& truth)
-{
-  List right;
-  std::set_intersection(listed.begin(), listed.end(), truth.begin(), truth.end(), std::back_inserter(right));
-  return int(right.size() < truth.size() ? right.size() : listed.size());
-}
 
 /// A running object subject, for one thread. It keeps what it prepared for the polyhedra of the last case.
 class Running_subject {
@@ -69,14 +38,10 @@ class Running_subject {
   virtual ~Running_subject() = default;
   virtual Outcome operator()(const Object_case& c, kernel::Question question) = 0;
 
-  /// Lists all pairs of an edge of one body and a face of the other that share a point. Most subjects do not list them.
-  virtual Listed features(const Object_case&) { return {}; }
-
-  /// Lists all maximal pieces of the intersections of faces.
-  virtual Listed_contacts contacts(const Object_case&) { return {}; }
-
-  /// Returns the distance of the bodies.
-  virtual Told_distance distance(const Object_case&, kernel::Question) { return {}; }
+  /// The answers of subjects that know more than whether bodies collide; most do not. Lists are sorted.
+  virtual Told<Feature_pairs> features(const Object_case&) { return {}; }
+  virtual Told<Contact_forms> contacts(const Object_case&) { return {}; }
+  virtual Told<Distance_answer> distance(const Object_case&, kernel::Question) { return {}; }
 
   /// Answers whether the distance is at most the limit, a decimal or fraction.
   virtual Outcome within(const Object_case&, kernel::Question, const std::string&) { return Outcome::not_asked; }
@@ -84,7 +49,8 @@ class Running_subject {
   /// Makes the next case prepare its bodies anew, even if they are the last case's.
   virtual void forget() {}
 
-  /// Returns the time of the last answer; nothing if the subject gave none, or does not know it.
+  /// Returns the time of the last answer whether the bodies collide; nothing if the subject gave none, or does not know
+  /// it.
   virtual std::optional<Spent> spent() const { return std::nullopt; }
   /// Returns the traces of the last answer, which was `failed`.
   virtual Failure failure() const { return {"exception", ""}; }

@@ -3,6 +3,7 @@
 
 #include "verify/cases/case.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct Predicate_subject {
   /// Returns the answer as `Predicate` defines it; nothing if the subject has no such predicate, or the case is one
   /// that is not asked.
   std::optional<int> (*answer)(Predicate predicate, const Predicate_case& c) = nullptr;
+
+  /// Returns the subject for a thread: it keeps nothing.
+  std::unique_ptr<const Predicate_subject> make() const { return std::make_unique<const Predicate_subject>(*this); }
 };
 
 /// Returns every kernel with our predicates, and the other known formulations in the arithmetic for which they were

@@ -8,8 +8,11 @@
 #include <chrono>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <map>
-#include <tuple>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace tetracone::verify {
 namespace {
@@ -76,74 +79,71 @@ class Played {
   std::vector<std::size_t> of_case_;
 };
 
-class By_scene : public Running_scene {
- public:
-  explicit By_scene(const Scene_options& options) : options_(options) {}
+constexpr std::size_t most_memory = std::size_t(1) << 30;
 
-  std::optional<Frames_of_pairs> play(const Scene_case& c) override
-  {
-    Scene_options options = options_;
-    options.question = c.question;
-    // A memory that does not hold both models of a pair is refused; the next try has more.
-    for (;; options.memory += options.memory / 4) try {
-        return Played(c, options).all();
-      } catch (const std::exception&) {
-        if (options.memory == 0 || options.memory > most_memory) return std::nullopt;
+Frames_of_pairs by_scene(Scene_options options, const Scene_case& c)
+{
+  options.question = c.question;
+  // A memory that does not hold both models of a pair is refused; the next try has more.
+  for (;; options.memory += options.memory / 4) try {
+      return Played(c, options).all();
+    } catch (const std::exception&) {
+      if (options.memory == 0 || options.memory > most_memory) throw;
+    }
+}
+
+Frames_of_pairs by_queries(const Scene_case& c)
+{
+  std::vector<Body> models;
+  for (const auto& model : c.models) models.push_back(triangulated_body(*model));
+  std::map<std::array<std::size_t, 4>, Query> queries;  // of two bodies and their models
+  Frames_of_pairs frames;
+  for (const Scene_case::Frame& frame : c.frames) {
+    std::vector<Body_pair>& pairs = frames.emplace_back();
+    for (std::size_t a = 0; a < frame.bodies.size(); ++a)
+      for (std::size_t b = a + 1; b < frame.bodies.size(); ++b) {
+        const auto &of_a = frame.bodies[a], &of_b = frame.bodies[b];
+        if (!of_a || !of_b || std::ranges::find(frame.ignored, Body_pair{a, b}) != frame.ignored.end()) continue;
+        Query& query = queries
+                           .try_emplace({a, b, of_a->model, of_b->model}, models[of_a->model], models[of_b->model],
+                                        c.question, Query_options{.remember = true})
+                           .first->second;
+        if (query.collide(of_a->pose, of_b->pose)) pairs.push_back({a, b});
       }
   }
+  return frames;
+}
 
- private:
-  static constexpr std::size_t most_memory = std::size_t(1) << 30;
-  Scene_options options_;
-};
-
-class By_queries : public Running_scene {
+class By_play : public Running_scene {
  public:
-  std::optional<Frames_of_pairs> play(const Scene_case& c) override
+  using Play = std::function<Frames_of_pairs(const Scene_case&)>;
+  explicit By_play(Play play) : play_(std::move(play)) {}
+  Told<Frames_of_pairs> operator()(const Scene_case& c) override
   {
-    try {
-      return all(c);
-    } catch (const std::exception&) {
-      return std::nullopt;
-    }
+    return told_by([&] { return play_(c); });
   }
 
  private:
-  static Frames_of_pairs all(const Scene_case& c)
-  {
-    std::vector<Body> models;
-    for (const auto& model : c.models) models.push_back(triangulated_body(*model));
-    std::map<std::array<std::size_t, 4>, Query> queries;  // of two bodies and their models
-    Frames_of_pairs frames;
-    for (const Scene_case::Frame& frame : c.frames) {
-      std::vector<Body_pair>& pairs = frames.emplace_back();
-      for (std::size_t a = 0; a < frame.bodies.size(); ++a)
-        for (std::size_t b = a + 1; b < frame.bodies.size(); ++b) {
-          const auto &of_a = frame.bodies[a], &of_b = frame.bodies[b];
-          if (!of_a || !of_b || std::ranges::find(frame.ignored, Body_pair{a, b}) != frame.ignored.end()) continue;
-          Query& query = queries
-                             .try_emplace({a, b, of_a->model, of_b->model}, models[of_a->model], models[of_b->model],
-                                          c.question, Query_options{.remember = true})
-                             .first->second;
-          if (query.collide(of_a->pose, of_b->pose)) pairs.push_back({a, b});
-        }
-    }
-    return frames;
-  }
+  Play play_;
 };
+
+Scene_subject scene_subject(const char* name, bool is_exact, const By_play::Play& play)
+{
+  return {name, is_exact, "", [play] { return std::make_unique<By_play>(play); }};
+}
 
 }  // namespace
 
 std::vector<Scene_subject> scene_subjects()
 {
   const auto scene = [](const char* name, bool is_exact, const Scene_options& options) {
-    return Scene_subject{name, is_exact, [options] { return std::make_unique<By_scene>(options); }};
+    return scene_subject(name, is_exact, std::bind_front(by_scene, options));
   };
   return {scene("adaptive scene", true, {}),
           scene("adaptive scene threads", true, {.threads = 2}),
           scene("adaptive scene memory", true, {.memory = std::size_t(1) << 17}),
           scene("adaptive scene budget", true, {.budget = std::chrono::microseconds(50)}),
-          {"adaptive queries", true, [] { return std::make_unique<By_queries>(); }},
+          scene_subject("adaptive queries", true, by_queries),
           scene("double scene", false, {.query = {.kernel = Kernel::double_}})};
 }
 

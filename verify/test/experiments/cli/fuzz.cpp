@@ -34,7 +34,7 @@ std::vector<fs::path> files_of(const fs::path& folder)
 }
 
 /// A case of the folder of the level and with a wrong subject of this name.
-std::optional<fs::path> case_with(const fs::path& folder, verify::Level level, const std::string& subject)
+std::optional<fs::path> case_with(const fs::path& folder, verify::Case_kind level, const std::string& subject)
 {
   for (const auto& path : files_of(folder)) {
     const auto file = verify::read_case(path);
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(predicates_are_found_wrong_and_replay_by_the_subjects_name)
   const Temporary_folder folder("fuzz_predicate");
   const Run r = run("fuzz --seconds 4 --subject float --out " + in_quotes(folder.path()));
   BOOST_TEST(r.status == 0, r.error);
-  const auto path = case_with(folder.path(), verify::Level::predicate, "float");
+  const auto path = case_with(folder.path(), verify::Case_kind::predicate, "float");
   BOOST_REQUIRE(path.has_value());
   const auto file = verify::read_case(*path);
   std::string wrong;
@@ -127,7 +127,7 @@ for line in sys.stdin:
   const Run r = run("fuzz --seconds 4 --subject mine --subject-command 'mine=" TETRACONE_PYTHON " " +
                     script.path().native() + "' --out " + in_quotes(folder.path()));
   BOOST_TEST(r.status == 0, r.error);
-  const auto path = case_with(folder.path(), verify::Level::object, "mine");
+  const auto path = case_with(folder.path(), verify::Case_kind::object, "mine");
   BOOST_REQUIRE(path.has_value());
   BOOST_TEST(path->filename().native().starts_with("mine-"));
   BOOST_TEST(run("collide " + in_quotes(*path)).out == "1\n");

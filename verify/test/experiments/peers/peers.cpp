@@ -260,15 +260,15 @@ BOOST_AUTO_TEST_CASE(peers_of_motions_are_asked_of_shifted_surfaces_alone)
   for (const auto& subject : subjects) {
     // Conservative advancement misses the contact of two cubes.
     const auto peer = subject.make();
-    const auto told = peer->first_contact(towards, Question::surface);
+    const auto told = (*peer)(towards, Question::surface);
     found += told.outcome == Outcome::yes;
-    if (told.outcome == Outcome::yes) BOOST_TEST(std::abs(told.time.lo - 5.0 / 6) < 0.1, subject.name);
-    BOOST_TEST(peer->first_contact(away, Question::surface).outcome == Outcome::no, subject.name);
-    BOOST_TEST(peer->first_contact(towards, Question::solid).outcome == Outcome::not_asked, subject.name);
-    BOOST_TEST(peer->first_contact(both, Question::surface).outcome == Outcome::not_asked, subject.name);
-    BOOST_TEST(peer->first_contact(by_thirds, Question::surface).outcome == Outcome::not_asked, subject.name);
-    BOOST_TEST(peer->first_contact(turned, Question::surface).outcome == Outcome::not_asked, subject.name);
-    BOOST_TEST(peer->first_contact(by_quaternions, Question::surface).outcome == told.outcome, subject.name);
+    if (told.outcome == Outcome::yes) BOOST_TEST(std::abs(told.answer.lo - 5.0 / 6) < 0.1, subject.name);
+    BOOST_TEST((*peer)(away, Question::surface).outcome == Outcome::no, subject.name);
+    BOOST_TEST((*peer)(towards, Question::solid).outcome == Outcome::not_asked, subject.name);
+    BOOST_TEST((*peer)(both, Question::surface).outcome == Outcome::not_asked, subject.name);
+    BOOST_TEST((*peer)(by_thirds, Question::surface).outcome == Outcome::not_asked, subject.name);
+    BOOST_TEST((*peer)(turned, Question::surface).outcome == Outcome::not_asked, subject.name);
+    BOOST_TEST((*peer)(by_quaternions, Question::surface).outcome == told.outcome, subject.name);
   }
   BOOST_TEST((subjects.empty() || found > 0));
 }

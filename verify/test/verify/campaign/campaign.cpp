@@ -67,10 +67,10 @@ Object_case thirds(tetracone::verify::Random&, double third)
   return c;
 }
 
-const Family cheap{1, "cheap", "", "gap", {1, 0.5}, points, cubes};
-const Family cheap_too{2, "cheap-too", "", "gap", {0.25}, points, cubes};
-const Family turned{4, "turned", "", "third", {0, 1}, points, thirds};
-const Family lying{3, "lying", "", "gap", {1}, points, nonsense};
+const Family cheap{{"cheap", "", "gap", {1, 0.5}, 1}, points, cubes};
+const Family cheap_too{{"cheap-too", "", "gap", {0.25}, 2}, points, cubes};
+const Family turned{{"turned", "", "third", {0, 1}, 4}, points, thirds};
+const Family lying{{"lying", "", "gap", {1}, 3}, points, nonsense};
 
 class Says_no : public Running_subject {
  public:
@@ -110,10 +110,9 @@ template <bool invents>
 class Lists : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
-  Listed features(const Object_case& c) override
+  Told<Feature_pairs> features(const Object_case& c) override
   {
-    std::vector<tetracone::kernel::Feature_pair> pairs =
-        tetracone::verify::features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
+    Feature_pairs pairs = tetracone::verify::features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
     if (invents)
       pairs.push_back({2, 0, 0, 0, tetracone::kernel::Contact::edge_face});
     else if (!pairs.empty())
@@ -134,6 +133,14 @@ Predicate_subject right{"right", true, "",
                         [](Predicate predicate, const Predicate_case& c) { return true_answer(predicate, c); }};
 Predicate_subject low{"low", false, "", [](Predicate, const Predicate_case&) { return std::optional<int>(-7); }};
 
+void set_families(Campaign& campaign, const std::vector<const Family*>& families)
+{
+  campaign.at<levels::Predicates>().families = campaign.at<levels::Objects>().families =
+      campaign.at<levels::Features>().families = families;
+}
+
+std::vector<Object_subject>& object_subjects_of(Campaign& campaign) { return campaign.at<levels::Objects>().subjects; }
+
 Campaign small()
 {
   Campaign campaign;
@@ -142,11 +149,12 @@ Campaign small()
   campaign.object_cases = 25;
   campaign.feature_cases = 8;
   campaign.sequence_frames = 0;
-  campaign.families = {&cheap, &cheap_too};
-  campaign.predicate_subjects = {right, low};
-  campaign.object_subjects = {object_subject(*Subject::parse("adaptive")),
-                              object_subject(*Subject::parse("double", Method::paper)), says_no, fails, declines};
-  campaign.feature_subjects = {object_subject(*Subject::parse("adaptive")), invents, leaves_out, fails, declines};
+  set_families(campaign, {&cheap, &cheap_too});
+  campaign.at<levels::Predicates>().subjects = {right, low};
+  object_subjects_of(campaign) = {object_subject(*Subject::parse("adaptive")),
+                                  object_subject(*Subject::parse("double", Method::paper)), says_no, fails, declines};
+  campaign.at<levels::Features>().subjects = {object_subject(*Subject::parse("adaptive")), invents, leaves_out, fails,
+                                              declines};
   campaign.made_by = {"0", "compiler", "flags", "processor"};
   return campaign;
 }
@@ -238,10 +246,10 @@ BOOST_AUTO_TEST_CASE(poses_with_fractions_are_counted_apart)
 {
   Results results("fractions");
   Campaign campaign = small();
-  campaign.families = {&turned};
+  set_families(campaign, {&turned});
   campaign.object_cases = 20;
   campaign.predicate_cases = campaign.feature_cases = 0;
-  campaign.object_subjects = {says_no, of_doubles_alone};
+  object_subjects_of(campaign) = {says_no, of_doubles_alone};
   results.with(campaign);
   for (const char* question : {"surface", "solid"}) {
     const std::string asked = std::string("question = '") + question + "' AND subject = ";
@@ -261,7 +269,7 @@ BOOST_AUTO_TEST_CASE(each_question_is_timed_on_bodies_made_for_it)
   Campaign campaign = small();
   campaign.object_cases = 20;
   campaign.predicate_cases = campaign.feature_cases = 0;
-  campaign.object_subjects = {object_subject(*Subject::parse("adaptive")), says_no, of_doubles_alone};
+  object_subjects_of(campaign) = {object_subject(*Subject::parse("adaptive")), says_no, of_doubles_alone};
   results.with(campaign);
   const std::string times = table_as_csv(results.database, "time");
   BOOST_TEST(times.starts_with("level,subject,question,n,make_ns,ask_ns\n"));
@@ -282,7 +290,7 @@ BOOST_AUTO_TEST_CASE(frames_that_a_subject_does_not_take_are_none_that_it_gets_w
   Campaign campaign = small();
   campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = 0;
   campaign.sequence_frames = 4;
-  campaign.object_subjects = {says_no, of_doubles_alone, declines};
+  object_subjects_of(campaign) = {says_no, of_doubles_alone, declines};
   results.with(campaign);
   const auto count = [&](const std::string& what, const std::string& where) {
     return number(results.database, "SELECT " + what + " FROM flips WHERE " + where);
@@ -312,9 +320,9 @@ BOOST_AUTO_TEST_CASE(cases_and_subjects_added_later_make_the_same_rows)
   part.predicate_cases = 130;
   part.object_cases = 7;
   part.feature_cases = 4;
-  part.object_subjects.resize(2);
-  part.feature_subjects.resize(1);
-  part.predicate_subjects = {low};
+  object_subjects_of(part).resize(2);
+  part.at<levels::Features>().subjects.resize(1);
+  part.at<levels::Predicates>().subjects = {low};
   results.with(part);
   BOOST_TEST((results.rows() != at_once));
   BOOST_TEST((results.with(small()).rows() == at_once));
@@ -344,8 +352,8 @@ BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole)
 BOOST_AUTO_TEST_CASE(shards_of_another_campaign_are_refused)
 {
   Campaign first = small();
-  first.object_subjects = {says_no};
-  first.object_subjects[0].command = "./mine";
+  object_subjects_of(first) = {says_no};
+  object_subjects_of(first)[0].command = "./mine";
   first.shards = 2;
   Results into("into");
   into.with(first);
@@ -372,10 +380,10 @@ BOOST_AUTO_TEST_CASE(shards_of_another_campaign_are_refused)
   refused(with([](Campaign& c) { c.object_cases = 24; }), "object cases: 24 instead of 25");
   refused(with([](Campaign& c) { c.feature_cases = 7; }), "feature cases: 7 instead of 8");
   refused(with([](Campaign& c) { c.made_by.version = "1"; }), "version: 1 instead of 0");
-  refused(with([](Campaign& c) { c.families.pop_back(); }), "families: ");
-  refused(with([](Campaign& c) { c.predicate_subjects.pop_back(); }), "subjects: ");
+  refused(with([](Campaign& c) { set_families(c, {&cheap}); }), "families: ");
+  refused(with([](Campaign& c) { c.at<levels::Predicates>().subjects.pop_back(); }), "subjects: ");
   refused(with([](Campaign& c) { c.shards = 3; }), "shards: 3 instead of 2");
-  refused(with([](Campaign& c) { c.object_subjects[0].command = "./other"; }), "says no was the command './other'");
+  refused(with([](Campaign& c) { object_subjects_of(c)[0].command = "./other"; }), "says no was the command './other'");
   Results last("last");
   last.with(second);
   merge(into.database, last.file.path());
@@ -399,11 +407,11 @@ BOOST_AUTO_TEST_CASE(a_subject_keeps_its_command)
 {
   Results results("command");
   Campaign campaign = small();
-  campaign.object_subjects = {says_no};
-  campaign.object_subjects[0].command = "./mine";
+  object_subjects_of(campaign) = {says_no};
+  object_subjects_of(campaign)[0].command = "./mine";
   const std::string once = results.with(campaign).rows();
   BOOST_TEST(once.find("says no,./mine") != std::string::npos);
-  campaign.object_subjects[0].command = "./mine --better";
+  object_subjects_of(campaign)[0].command = "./mine --better";
   BOOST_CHECK_THROW(results.with(campaign), Input_error);
   BOOST_TEST((results.rows() == once));
 }
@@ -431,7 +439,7 @@ BOOST_AUTO_TEST_CASE(progress_is_of_the_last_words)
   Results results("progress");
   BOOST_CHECK_THROW(progress(results.database), Input_error);
   Campaign campaign = small();
-  campaign.object_subjects = {says_no};
+  object_subjects_of(campaign) = {says_no};
   campaign.shards = 3;
   campaign.shard = 1;
   std::uint64_t cases = 0;
@@ -442,7 +450,7 @@ BOOST_AUTO_TEST_CASE(progress_is_of_the_last_words)
   BOOST_TEST(whole.done == whole.of_begun);
   BOOST_TEST(whole.done > 2 * cases);  // the truth and at least one subject
   // A subject less: all of that is done.
-  campaign.predicate_subjects.pop_back();
+  campaign.at<levels::Predicates>().subjects.pop_back();
   results.with(campaign);
   const auto less = progress(results.database);
   BOOST_TEST(less.done == less.of_begun);
@@ -456,7 +464,7 @@ BOOST_AUTO_TEST_CASE(a_truth_that_is_contradicted_stops_the_campaign)
 {
   Results results("lying");
   Campaign campaign = small();
-  campaign.families = {&cheap, &lying};
+  set_families(campaign, {&cheap, &lying});
   try {
     results.with(campaign);
     BOOST_ERROR("no contradiction was found");
@@ -473,7 +481,7 @@ BOOST_AUTO_TEST_CASE(case_count_is_what_is_reported_done)
   std::uint64_t done = 0;
   Campaign campaign = small();
   campaign.sequence_frames = 3;
-  campaign.object_subjects = {says_no};
+  object_subjects_of(campaign) = {says_no};
   run_campaign(results.database, campaign, [&](std::uint64_t cases) { done += cases; });
   BOOST_TEST(done == case_count(campaign));
   BOOST_TEST(done > 2 * 475);

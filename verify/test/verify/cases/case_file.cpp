@@ -23,7 +23,7 @@ using kernel::Pose;
 using kernel::Question;
 using kernel::Rational;
 using verify::Case_file;
-using verify::Level;
+using verify::Case_kind;
 
 namespace {
 
@@ -56,7 +56,7 @@ bool same(const verify::Origin& a, const verify::Origin& b)
 Case_file object_file()
 {
   Case_file file;
-  file.level = Level::object;
+  file.level = Case_kind::object;
   file.object.emplace();
   file.object->a = std::make_shared<covering::Polyhedron>(verify::unit_cube());
   file.object->b = std::make_shared<covering::Polyhedron>(verify::prism_with_tunnel());
@@ -74,7 +74,7 @@ Case_file object_file()
 Case_file predicate_file()
 {
   Case_file file;
-  file.level = Level::predicate;
+  file.level = Case_kind::predicate;
   file.predicate = verify::Predicate::orientation;
   file.points.emplace();
   file.points->v = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(an_object_case_with_holes_reads_back_as_it_was)
   BOOST_TEST(read.object->b->loop_count(0) + read.object->b->loop_count(1) > 2u, "the tunnel's ends have holes");
   BOOST_TEST((read.object->pose_a == file.object->pose_a));
   BOOST_TEST(same(read.origin(), file.origin()));
-  BOOST_TEST((read.level == Level::object));
+  BOOST_TEST((read.level == Case_kind::object));
   BOOST_TEST((read.question == Question::solid));
   BOOST_TEST(read.truth == 1);
   BOOST_TEST((read.object->surface == false));

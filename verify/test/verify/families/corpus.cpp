@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_SUITE(test_corpus)
 
 using namespace tetracone;
 using verify::Case_file;
-using verify::Level;
+using verify::Case_kind;
 
 namespace {
 
@@ -45,7 +45,7 @@ using Answers = std::map<std::string, std::optional<int>>;
 Answers answers(const Case_file& file, bool exact)
 {
   Answers result;
-  if (file.level == Level::object) {
+  if (file.level == Case_kind::object) {
     for (const auto& subject : verify::object_subjects()) {
       if (subject.is_exact != exact) continue;
       const verify::Outcome answer = (*subject.make())(*file.object, file.question);
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(there_are_cases_of_both_levels_each_a_page)
 {
   const auto files = corpus();
   BOOST_TEST(files.size() >= 20u);
-  std::set<Level> levels;
+  std::set<Case_kind> levels;
   for (const auto& path : files) {
     levels.insert(verify::read_case(path).level);
     std::ifstream in(path);
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(both_truths_are_what_the_files_say)
 {
   for (const auto& path : corpus()) {
     const Case_file file = verify::read_case(path);
-    if (file.level == Level::predicate) {
+    if (file.level == Case_kind::predicate) {
       BOOST_TEST((verify::true_answer(*file.predicate, *file.points) == file.truth), path);
       BOOST_TEST((verify::integer_truth::answer(*file.predicate, *file.points) == file.truth), path);
       continue;

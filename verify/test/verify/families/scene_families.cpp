@@ -21,7 +21,6 @@ BOOST_AUTO_TEST_CASE(scenes_are_legal_the_same_each_time_and_of_both_questions)
   std::set<std::string> names;
   for (const Scene_family& family : scene_families()) {
     BOOST_TEST(names.emplace(family.name).second, family.name);
-    BOOST_TEST(find_scene_family(family.name) == &family);
     std::map<Question, int> questions;
     std::size_t moved = 0;
     for (std::uint64_t k = 0; k < 12; ++k) {
@@ -44,7 +43,6 @@ BOOST_AUTO_TEST_CASE(scenes_are_legal_the_same_each_time_and_of_both_questions)
     BOOST_TEST(questions.size() == 2u, family.name);
     BOOST_TEST((moved > 24 || family.name == "scene-rests"), family.name);
   }
-  BOOST_TEST(find_scene_family("drift") == nullptr);
 }
 
 BOOST_AUTO_TEST_CASE(frames_have_pairs_that_collide_and_pairs_that_do_not_and_neither_stays)
@@ -54,13 +52,13 @@ BOOST_AUTO_TEST_CASE(frames_have_pairs_that_collide_and_pairs_that_do_not_and_ne
     std::size_t collide = 0, pairs = 0, changes = 0;
     for (std::uint64_t k = 0; k < 4; ++k) {
       const Scene_case c = family.scene_case(5, k);
-      const auto told = scene->play(c);
-      BOOST_REQUIRE(told);
-      for (std::size_t f = 0; f < told->size(); ++f) {
+      const auto [outcome, told, spent] = (*scene)(c);
+      BOOST_REQUIRE((outcome == Outcome::yes));
+      for (std::size_t f = 0; f < told.size(); ++f) {
         const std::size_t n = c.frames[f].bodies.size();
-        collide += (*told)[f].size();
+        collide += told[f].size();
         pairs += n * (n - 1) / 2;
-        changes += f > 0 && (*told)[f] != (*told)[f - 1];
+        changes += f > 0 && told[f] != told[f - 1];
       }
     }
     BOOST_TEST(collide > 0u, family.name);

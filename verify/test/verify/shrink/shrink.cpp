@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_list_of_features_shrinks_to_what_is_wrong_in_it)
   class Blind : public verify::Running_subject {
    public:
     Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
-    verify::Listed features(const Object_case& c) override
+    verify::Told<verify::Feature_pairs> features(const Object_case& c) override
     {
       auto pairs = verify::features(verify::Brute_body(*c.a), c.pose_a, verify::Brute_body(*c.b), c.pose_b);
       std::erase_if(pairs, [](const auto& pair) { return pair.kind == kernel::Contact::edge_edge; });

@@ -2,7 +2,7 @@
 
 #include "verify/cases/random.h"
 #include "verify/subjects/segment_triangle_formulations.h"
-#include "verify/test/support/rationals.h"
+#include "verify/truth/predicate_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,99 +13,13 @@
 #include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_predicate_subject)
 
 using namespace tetracone;
 using namespace tetracone::verify;
-using rationals::determinant;
-using rationals::inner;
-using rationals::minus;
-using rationals::outer;
-using rationals::sign;
 
 namespace {
-
-using Exact = rationals::Vector;
-
-/// Whether the convex hull of the points holds the origin. By Caratheodory it does so exactly when the hull of some
-/// affinely independent few does; of these the origin's coordinates have one sign. All that is asked of predicates here
-/// comes down to it.
-bool hull_holds_origin(const std::vector<Exact>& x)
-{
-  const Exact origin = {0, 0, 0};
-  const std::size_t n = x.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (rationals::is_zero(x[i])) return true;
-    for (std::size_t j = i + 1; j < n; ++j) {
-      if (rationals::is_on_segment(origin, x[i], x[j])) return true;
-      for (std::size_t k = j + 1; k < n; ++k) {
-        const Exact normal = outer(minus(x[j], x[i]), minus(x[k], x[i]));
-        if (!rationals::is_zero(normal) && inner(normal, x[i]) == 0) {
-          const auto turn = [&](const Exact& a, const Exact& b) { return sign(inner(outer(a, b), normal)); };
-          if (turn(x[i], x[j]) >= 0 && turn(x[j], x[k]) >= 0 && turn(x[k], x[i]) >= 0) return true;
-        }
-        for (std::size_t l = k + 1; l < n; ++l) {
-          const int volume = sign(determinant(minus(x[j], x[i]), minus(x[k], x[i]), minus(x[l], x[i])));
-          if (volume == 0) continue;
-          if (sign(determinant(x[j], x[k], x[l])) * volume >= 0 && sign(determinant(x[i], x[l], x[k])) * volume >= 0 &&
-              sign(determinant(x[i], x[j], x[l])) * volume >= 0 && sign(determinant(x[j], x[i], x[k])) * volume >= 0)
-            return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
-std::vector<Exact> differences(const std::vector<Exact>& a, const std::vector<Exact>& b)
-{
-  std::vector<Exact> result;
-  for (const Exact& x : a)
-    for (const Exact& y : b) result.push_back(minus(x, y));
-  return result;
-}
-
-/// The answer by the definition in `Predicate`; nothing where it is not asked.
-std::optional<int> expected(Predicate predicate, const Predicate_case& c)
-{
-  const auto placed = [](const kernel::Pose& pose, const kernel::Vertex& v) {
-    return rationals::image(pose, rationals::exactly(v));
-  };
-  std::vector<Exact> v;
-  for (const auto& corner : c.v) v.push_back(placed(c.pose_a, corner));
-  const Exact p = placed(c.pose_b, c.p), q = placed(c.pose_b, c.q), r = placed(c.pose_b, c.r);
-  const bool flat = determinant(minus(v[1], v[0]), minus(v[2], v[0]), minus(v[3], v[0])) == 0;
-  const bool flat_triangle = determinant(minus(p, v[0]), minus(q, v[0]), minus(r, v[0])) == 0;
-  // x is in the cone when x - v0 = sum of a_i (v_i - v0) with no a_i negative.
-  const std::vector<Exact> rays_back = {minus(v[0], v[1]), minus(v[0], v[2]), minus(v[0], v[3])};
-  const auto with_rays_back = [&](std::vector<Exact> points) {
-    points.insert(points.end(), rays_back.begin(), rays_back.end());
-    return points;
-  };
-  switch (predicate) {
-    case Predicate::orientation: return sign(determinant(minus(v[1], p), minus(v[2], p), minus(v[3], p)));
-    case Predicate::tetra_cone:
-      if (flat) return std::nullopt;
-      return hull_holds_origin(with_rays_back({minus(p, v[0])}));
-    case Predicate::tetrahedron:
-      if (flat) return std::nullopt;
-      return hull_holds_origin(differences(v, {p}));
-    case Predicate::segment_triangle: return hull_holds_origin(differences({p, q}, {v[1], v[2], v[3]}));
-    case Predicate::solid:
-      for (std::size_t k = 0; k < 4; ++k) {
-        std::vector<Exact> face = v;
-        face.erase(face.begin() + k);
-        if (hull_holds_origin(differences(face, {p}))) return 0;
-      }
-      return hull_holds_origin(differences(v, {p})) ? 1 : -1;
-    case Predicate::classification:
-      if (flat || flat_triangle) return std::nullopt;
-      return hull_holds_origin(with_rays_back({minus(p, v[0]), minus(q, v[0]), minus(r, v[0])}));
-  }
-  return std::nullopt;
-}
 
 const Predicate_subject& subject(const std::string& name)
 {
@@ -170,7 +84,7 @@ Tally tally(const Predicate_subject& s, int n, const std::function<Predicate_cas
   for (int k = 0; k < n; ++k) {
     const Predicate_case c = make();
     for (const Predicate predicate : all_predicates) {
-      const auto truth = expected(predicate, c);
+      const auto truth = true_answer(predicate, c);
       const auto answer = s.answer(predicate, c);
       if (!truth || !answer) continue;
       ++result.asked;
@@ -207,7 +121,7 @@ BOOST_AUTO_TEST_CASE(every_predicate_gives_each_of_its_answers_on_the_grid)
   for (int k = 0; k < 500; ++k) {
     const Predicate_case c = grid_case(random, 2);
     for (const Predicate predicate : all_predicates)
-      if (const auto truth = expected(predicate, c)) seen[predicate].insert(*truth);
+      if (const auto truth = true_answer(predicate, c)) seen[predicate].insert(*truth);
   }
   for (const Predicate predicate : all_predicates) {
     const bool three = predicate == Predicate::orientation || predicate == Predicate::solid;
@@ -298,7 +212,7 @@ BOOST_AUTO_TEST_CASE(every_formulation_is_right_on_a_segment_clearly_through_a_t
       for (int turn = 0; turn < 4; ++turn) {
         if (turn % 2 == 1) std::swap(c.p, c.q);
         if (turn == 2) std::swap(c.v[1], c.v[2]);
-        BOOST_TEST(*s.answer(Predicate::segment_triangle, c) == *expected(Predicate::segment_triangle, c), s.name);
+        BOOST_TEST(*s.answer(Predicate::segment_triangle, c) == *true_answer(Predicate::segment_triangle, c), s.name);
       }
     }
   }
@@ -387,7 +301,7 @@ BOOST_AUTO_TEST_CASE(exact_arithmetic_repeats_the_wrong_sign)
     const auto rounded = in_double.answer(Predicate::segment_triangle, c),
                exact = in_rational.answer(Predicate::segment_triangle, c);
     BOOST_TEST((rounded == exact));
-    wrong += *exact != *expected(Predicate::segment_triangle, c);
+    wrong += *exact != *true_answer(Predicate::segment_triangle, c);
   }
   BOOST_TEST(wrong > 0);
 }
@@ -405,7 +319,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_volume_at_all_is_answered_without_a_crash)
         for (const Predicate predicate : all_predicates) {
           const auto answer = s.answer(predicate, c);
           if (s.is_exact && answer) {
-            const auto truth = expected(predicate, c);
+            const auto truth = true_answer(predicate, c);
             if (truth) BOOST_TEST(*answer == *truth, s.name << " " << to_string(predicate));
           }
         }

@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(wrong_first_contacts_are_noticed)
 {
   // A tunnelling case with a contact, and what is about it.
   for (std::uint64_t k = 0;; ++k) {
-    const Moving_bodies c = moving_bodies_case(*find_moving_body_family("motion-tunnelling"), 3, k);
+    const Moving_bodies c = moving_bodies_case(*find_named(moving_body_families(), "motion-tunnelling"), 3, k);
     const auto first = first_contact(c, Question::solid);
     if (!first || first->lo == first->hi) continue;
     const auto [lo, hi] = *first;
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(without_a_right_guess_the_first_contact_is_found)
   int found = 0, later = 0;
   for (const char* name : {"motion-tunnelling", "motion-one-turns", "motion-at-end", "motion-nested"})
     for (std::uint64_t k = 0; k < 2; ++k) {
-      const Moving_bodies c = moving_bodies_case(*find_moving_body_family(name), 5, k);
+      const Moving_bodies c = moving_bodies_case(*find_named(moving_body_families(), name), 5, k);
       const auto first = first_contact(c, Question::surface);
       for (const std::optional<Time_bounds>& guess :
            {std::optional<Time_bounds>(), std::optional(Time_bounds{0.5, 0.5})}) {
@@ -67,29 +67,6 @@ BOOST_AUTO_TEST_CASE(without_a_right_guess_the_first_contact_is_found)
       }
     }
   BOOST_TEST(later > found / 4);
-}
-
-BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_the_truth)
-{
-  const std::uint64_t count = 4 * rounds();
-  int decided = 0;
-  for (const Moving_body_family& f : moving_body_families()) {
-    std::uint64_t contacts = 0;
-    for (std::uint64_t k = 0; k < count; ++k) {
-      const Moving_bodies c = moving_bodies_case(f, 11, k);
-      const Question question = k % 2 == 0 ? Question::solid : Question::surface;
-      const auto first = first_contact(c, question);
-      contacts += first.has_value();
-      const std::string name = std::string(f.name) + " " + std::to_string(k);
-      BOOST_TEST(truly_first_by_features(c, question, first), name);
-      if (k % 4 > 1) continue;
-      const Bracket bracket = truly_first_by_distances(c, question, first, 60);
-      BOOST_TEST((bracket != Bracket::violated), name);
-      decided += bracket == Bracket::holds;
-    }
-    BOOST_TEST_MESSAGE(f.name << ": " << contacts << " contacts in " << count);
-  }
-  BOOST_TEST(decided > 8);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,318 @@
+#include "verify/campaign/levels.h"
+
+#include "verify/campaign/campaign.h"
+#include "verify/test/support/database_number.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_levels)
+
+using namespace tetracone::verify;
+using tetracone::kernel::Question;
+
+namespace {
+
+const std::string wrong = "false_positives + false_negatives + failures";
+
+/// The rows of campaigns that ask one level alone.
+template <class Level>
+class Rows {
+ public:
+  Rows(std::vector<const typename Level::Family*> families, std::vector<typename Level::Subject> subjects)
+  {
+    static_cast<Sizes&>(campaign_) = {0, 0, 0, 0};
+    campaign_.seed = 7;
+    campaign_.sequence_frames = 0;
+    campaign_.made_by = {"0", "compiler", "flags", "processor"};
+    campaign_.at<Level>() = {true, std::move(families), std::move(subjects)};
+  }
+
+  /// Asks so many cases of each family, and returns how many it has asked or found.
+  std::int64_t ask(std::uint64_t cases)
+  {
+    campaign_.*Level::size = cases;
+    std::int64_t done = 0;
+    run_campaign(database_, campaign_, [&](std::uint64_t n) { done += std::int64_t(n); });
+    BOOST_TEST(done == std::int64_t(case_count(campaign_)));
+    BOOST_TEST(done == std::int64_t(cases * campaign_.at<Level>().families.size()));
+    return done;
+  }
+
+  std::int64_t number(const std::string& query) { return tetracone::verify::number(database_, query); }
+  std::int64_t truth(const std::string& what) { return number("SELECT sum(" + what + ") FROM truth"); }
+  std::int64_t relations(const std::string& what, const std::string& subject)
+  {
+    return number("SELECT sum(" + what + ") FROM relation WHERE subject LIKE '" + subject + "'");
+  }
+  std::int64_t sum(const std::string& what, const std::string& subject, const std::string& question = "%")
+  {
+    return tally(database_, what, "subject LIKE '" + subject + "' AND question LIKE '" + question + "'");
+  }
+
+ private:
+  Temporary_file file_{"level_campaign.db", ""};
+  Database database_{file_.path(), Database::Mode::write};
+  Campaign campaign_;
+};
+
+/// What a subject tells, except for one error.
+template <class Case, class Answer, class... Question>
+class Spoils : public Running<Case, Answer, Question...> {
+ public:
+  using Right = std::unique_ptr<Running<Case, Answer, Question...>>;
+  using Spoil = std::function<void(Told<Answer>&)>;
+  Spoils(Right right, Spoil spoil) : right_(std::move(right)), spoil_(std::move(spoil)) {}
+
+  Told<Answer> operator()(const Case& c, Question... question) override
+  {
+    Told<Answer> told = (*right_)(c, question...);
+    spoil_(told);
+    return told;
+  }
+
+ private:
+  Right right_;
+  Spoil spoil_;
+};
+
+/// Returns `right` with an error, under another name.
+template <class Case, class Answer, class... Question>
+auto spoiled(const Subject_of<Running<Case, Answer, Question...>>& right, const char* name,
+             const std::type_identity_t<std::function<void(Told<Answer>&)>>& spoil, bool is_exact = false)
+{
+  using Spoiled = Spoils<Case, Answer, Question...>;
+  return Subject_of<Running<Case, Answer, Question...>>{
+      name, is_exact, "", [right, spoil] { return std::make_unique<Spoiled>(right.make(), spoil); }};
+}
+
+template <class Answer>
+void fail(Told<Answer>& told)
+{
+  told = {Outcome::failed};
+}
+
+/// The adaptive tree's distances, except for one statement; with no spoil, except for limits.
+class Spoils_distance : public Running_subject {
+ public:
+  using Spoil = void (*)(Distance_answer& answer);
+  explicit Spoils_distance(Spoil spoil) : spoil_(spoil), right_(distance_subjects()[0].make()) {}
+
+  Outcome operator()(const Object_case& c, Question question) override { return (*right_)(c, question); }
+  Told<Distance_answer> distance(const Object_case& c, Question question) override
+  {
+    auto told = right_->distance(c, question);
+    if (spoil_) spoil_(told.answer);
+    return told;
+  }
+  Outcome within(const Object_case& c, Question question, const std::string& limit) override
+  {
+    return spoil_ ? right_->within(c, question, limit) : Outcome::yes;
+  }
+
+ private:
+  Spoil spoil_;
+  std::unique_ptr<Running_subject> right_;
+};
+
+Object_subject spoiling(const char* name, Spoils_distance::Spoil spoil)
+{
+  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_distance>(spoil); }};
+}
+
+class Tells_nothing : public Running_subject {
+ public:
+  Outcome operator()(const Object_case&, Question) override { return Outcome::no; }
+};
+
+std::vector<const Family*> named(const std::vector<const char*>& names)
+{
+  std::vector<const Family*> families;
+  for (const char* name : names) families.push_back(find_family(name));
+  return families;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_distance_of_every_family_is_exact)
+{
+  auto families = named({"random", "voxels", "sliver", "wild", "nested", "degenerate-face"});
+  for (const Family& family : distance_families()) families.push_back(&family);
+  Rows<levels::Distances> rows(families, distance_subjects());
+  rows.ask(1);
+  const std::int64_t asked = rows.truth("n"), zero = rows.truth("positives");
+  BOOST_TEST(asked > 20);
+  BOOST_TEST(zero > 0);
+  BOOST_TEST(asked - zero > 12);
+  for (const Object_subject& subject : distance_subjects()) {
+    BOOST_TEST(rows.sum("n + not_asked", subject.name) == asked, subject.name);
+    BOOST_TEST(rows.sum("n", subject.name) > asked / 3, subject.name);
+    BOOST_TEST(rows.sum(wrong, subject.name) == 0, subject.name);
+  }
+  BOOST_TEST(rows.relations("violated", "adaptive%") == 0);
+  BOOST_TEST(rows.relations("tried", "adaptive%") > asked / 4);
+}
+
+BOOST_AUTO_TEST_CASE(each_wrong_statement_about_a_distance_is_counted)
+{
+  auto families = named({"random", "nested", "degenerate-face"});
+  for (std::size_t k = 0; k < 4; ++k) families.push_back(&distance_families()[k]);
+  Rows<levels::Distances> rows(
+      families,
+      {spoiling("root", [](Distance_answer& a) { a.alone = a.nearest.distance = std::nextafter(a.alone, HUGE_VAL); }),
+       spoiling("square", [](Distance_answer& a) { a.nearest.squared = "7/3"; }),
+       spoiling("points", [](Distance_answer& a) { std::swap(a.nearest.point[0], a.nearest.point[1]); }),
+       spoiling("always within", nullptr),
+       {"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }}});
+  rows.ask(1);
+  const std::int64_t asked = rows.truth("n"), zero = rows.truth("positives");
+  BOOST_TEST(zero > 0);
+  BOOST_TEST(asked - zero > 6);
+  for (const char* subject : {"root", "square", "points", "always within"}) {
+    BOOST_TEST(rows.sum("n", subject) == asked, subject);
+    BOOST_TEST(rows.sum("false_positives", subject) == 0, subject);
+    BOOST_TEST(rows.sum("false_negatives", subject) >= asked - zero - 2, subject);
+  }
+  BOOST_TEST(rows.sum("not_asked", "nothing") == asked);
+}
+
+BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_judged)
+{
+  const auto all = moving_bodies_subjects();
+  const auto spoil = [&](const char* name, const std::function<void(Told_contact&)>& how, bool is_exact = false) {
+    return spoiled(all[0], name, how, is_exact);
+  };
+  Rows<levels::Motions> rows(
+      pointers(moving_body_families()),
+      {all[0], all[1], spoil("one of the doubles", [](Told_contact& told) { told.answer.hi = told.answer.lo; }),
+       spoil(
+           "one, and promises both", [](Told_contact& told) { told.answer.lo = told.answer.hi; }, true),
+       spoil("late",
+             [](Told_contact& told) { told.answer.lo = told.answer.hi = std::nextafter(told.answer.hi, HUGE_VAL); }),
+       spoil("misses", [](Told_contact& told) { told = {Outcome::no}; }),
+       spoil("invents", [](Told_contact& told) { told = {Outcome::yes}; }),
+       spoil("declines", [](Told_contact& told) { told = {}; }), spoil("fails", fail<tetracone::kernel::Time_bounds>)});
+  const std::int64_t done = rows.ask(1), asked = 2 * done, meet = rows.truth("positives");
+  const auto sum = [&](const std::string& what, const std::string& subject, bool of_times) {
+    const std::int64_t times = rows.sum(what, subject, "% time");
+    return of_times ? times : rows.sum(what, subject) - times;
+  };
+  BOOST_TEST(rows.truth("n") == asked);
+  BOOST_TEST(rows.truth("by_construction") > asked / 4);
+  BOOST_TEST(meet > asked / 4);
+  BOOST_TEST(meet < asked);
+  BOOST_TEST(sum("n", "adaptive tree", false) == asked);
+  BOOST_TEST(sum("n", "adaptive tree", true) == meet);
+  BOOST_TEST(rows.sum(wrong, "adaptive tree") == 0);
+  BOOST_TEST(sum(wrong, "one of the doubles", true) == 0);
+  BOOST_TEST(sum("false_positives", "one, and promises both", true) > 0);
+  BOOST_TEST(sum("false_positives", "static 10", false) == 0);
+  BOOST_TEST(sum("false_positives", "static 10", true) > 0);
+  BOOST_TEST(sum("false_negatives", "static 10", true) == 0);
+  BOOST_TEST(sum(wrong, "late", false) == 0);
+  BOOST_TEST(sum("false_positives", "late", true) == meet);
+  BOOST_TEST(sum("false_negatives", "misses", false) == meet);
+  BOOST_TEST(sum("n", "misses", true) == 0);
+  BOOST_TEST(sum("false_positives", "invents", false) == asked - meet);
+  BOOST_TEST(sum("false_negatives", "invents", true) > 0);
+  BOOST_TEST(rows.sum("not_asked", "declines") == asked);
+  BOOST_TEST(rows.sum("failures", "fails") == asked);
+  BOOST_TEST(rows.number("SELECT count(*) FROM wrong WHERE subject = 'fails' AND answer IS NULL") == asked);
+  BOOST_TEST(rows.relations("violated", "adaptive tree") == 0);
+  BOOST_TEST(rows.relations("tried", "adaptive tree") > done / 2);
+  BOOST_TEST(rows.relations("tried", "declines") == 0);
+  // Again with the same words: nothing is asked twice.
+  rows.ask(1);
+  BOOST_TEST(sum("n", "adaptive tree", false) == asked);
+}
+
+BOOST_AUTO_TEST_CASE(points_are_judged)
+{
+  const Point_subject right = point_subjects()[0];
+  Rows<levels::Points> rows(
+      pointers(point_families()),
+      {right, spoiled(right, "misses", [](Told<int>& told) { told.answer = -1; }), spoiled(right, "fails", fail<int>)});
+  const std::int64_t points = rows.ask(12), inside = rows.truth("positives");
+  BOOST_TEST(rows.sum("n", right.name) == points);
+  BOOST_TEST(rows.sum(wrong, right.name) == 0);
+  BOOST_TEST(rows.sum("failures", "fails") == points);
+  BOOST_TEST(inside > points / 20);
+  BOOST_TEST(rows.sum("false_negatives", "misses") > inside);  // what is on the surface too
+  BOOST_TEST(rows.sum("false_positives", "misses") == 0);
+  BOOST_TEST(rows.relations("violated", right.name) == 0);
+  BOOST_TEST(rows.relations("tried", right.name) > points / 6);
+  BOOST_TEST(rows.number("SELECT count(*) FROM wrong WHERE subject = 'fails' AND answer IS NULL") == points);
+  // Again with the same words nothing is asked twice, and with more cases only these.
+  rows.ask(12);
+  BOOST_TEST(rows.sum("n", right.name) == points);
+  rows.ask(20);
+  BOOST_TEST(rows.sum("n", right.name) == points / 12 * 20);
+}
+
+BOOST_AUTO_TEST_CASE(rays_are_judged_by_three_questions)
+{
+  const Ray_subject right = ray_subjects()[0];
+  Rows<levels::Rays> rows(pointers(ray_families()),
+                          {right, spoiled(right, "misses", [](Told<Ray_answer>& told) { told.answer = {}; }),
+                           spoiled(right, "fails", fail<Ray_answer>)});
+  const std::int64_t rays = rows.ask(12), met = rows.truth("positives") / 3;
+  BOOST_TEST(rows.sum("n", right.name) == 3 * rays);
+  BOOST_TEST(rows.sum(wrong, right.name) == 0);
+  BOOST_TEST(rows.sum("failures", "fails") == 3 * rays);
+  BOOST_TEST(met > rays / 3);
+  for (const char* question : {"first", "hits", "faces"}) {
+    BOOST_TEST(rows.sum("false_negatives", "misses", question) == met);
+    BOOST_TEST(rows.sum("false_positives", "misses", question) == 0);
+  }
+  BOOST_TEST(rows.relations("violated", right.name) == 0);
+  BOOST_TEST(rows.relations("tried", right.name) > rays / 6);
+  BOOST_TEST(rows.number("SELECT count(*) FROM wrong WHERE subject = 'fails' AND answer IS NULL") == 3 * rays);
+}
+
+BOOST_AUTO_TEST_CASE(every_frame_of_every_family_is_exact_and_each_wrong_list_is_counted)
+{
+  auto subjects = scene_subjects();
+  const auto add = [&](const char* name, void (*spoil)(Frames_of_pairs & told)) {
+    subjects.push_back(spoiled(subjects[0], name, [spoil](Told<Frames_of_pairs>& told) { spoil(told.answer); }));
+  };
+  add("as the frame before", [](Frames_of_pairs& told) {
+    for (std::size_t f = told.size(); f-- > 1;) told[f] = told[f - 1];
+  });
+  add("one too many", [](Frames_of_pairs& told) {
+    for (auto& pairs : told) pairs.push_back({98, 99});
+  });
+  add("one too few", [](Frames_of_pairs& told) {
+    for (auto& pairs : told)
+      if (!pairs.empty()) pairs.pop_back();
+  });
+  subjects.push_back(spoiled(subjects[0], "nothing", fail<Frames_of_pairs>));
+
+  Rows<levels::Scenes> rows(pointers(scene_families()), subjects);
+  const std::int64_t scenes = rows.ask(1), frames = rows.truth("n"), meet = rows.truth("positives");
+  BOOST_TEST(frames == 8 * scenes);
+  BOOST_TEST(meet > frames / 2);
+  for (const Scene_subject& subject : scene_subjects()) {
+    BOOST_TEST(rows.sum("n", subject.name) == frames, subject.name);
+    if (subject.is_exact) BOOST_TEST(rows.sum(wrong, subject.name) == 0, subject.name);
+  }
+  BOOST_TEST(rows.sum(wrong, "as the frame before") > frames / 4);
+  BOOST_TEST(rows.sum("false_positives", "one too many") == frames);
+  BOOST_TEST(rows.sum("false_negatives", "one too few") == meet);
+  BOOST_TEST(rows.sum("failures", "nothing") == frames);
+  // Of a scene only the first wrong frame is listed.
+  BOOST_TEST(rows.number("SELECT count(*) FROM wrong WHERE subject = 'one too many'") == scenes);
+  BOOST_TEST(rows.relations("violated", "adaptive%") == 0);
+  BOOST_TEST(rows.relations("tried", "adaptive%") > frames);
+  BOOST_TEST(rows.relations("violated", "as the frame before") > 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
