@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
 {
   int wrong_decision = 0, wrong_zero = 0, wrong_sign = 0, wrong_stage = 0;
   int by_identity = 0, by_zero_factors = 0, by_gate = 0, by_grid = 0, by_double_double = 0;
-  // Of one sign, by the first stage that answers.
+  // The counts of one sign, by the first stage that answers.
   const auto expected = [](const Decision& filtered, const Decision& zero, bool in_gate, const Decision& grid,
                            const Decision& double_double) {
     Stage_counts counts;
