@@ -23,7 +23,7 @@
 namespace tetracone::tetratree {
 
 /// Makes all nodes of a few elements at once, so that they are well filled. It builds a binary tree by cuts of least
-/// cost (`sah_weight`), whose parts become lanes by dynamic programming (Ylitie, Karras and Laine, HPG 2017, section 3.1).
+/// cost (`sah_weight`). Its parts become lanes by dynamic programming (Ylitie, Karras and Laine, HPG 2017, 3.1).
 class Bvh8_treelet {
  public:
   /// The largest number of elements of a treelet.

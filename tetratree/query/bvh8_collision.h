@@ -148,7 +148,7 @@ class Bvh8_collision {
   {
     if (is_plane_tried_) return false;
     is_plane_tried_ = true;
-    // The last direction belongs to the pair that was asked last. That is this pair only if the object keeps its memory.
+    // The last direction belongs to the pair that was asked last. That is this pair if the object keeps its memory.
     const bool is_own = memory && own_memory_ && memory == &*own_memory_;
     const bool is_apart = separating_direction_(pose_a, pose_b, most_directions, is_own);
     if (memory) memory->was_plane_found = is_apart;
