@@ -91,8 +91,8 @@ bool has_fractions(const Case& c)
   return c.pose_a.is_rational() || c.pose_b.is_rational();
 }
 
-/// The page of a level. Its learn(c) finds a case's truth, or throws Truths_disagree. truths() is what the truth says of
-/// a question, or nothing where the question is not asked. statements() is what an answer says. relations() lists the
+/// The page of a level. learn(c) finds a case's truth, or throws Truths_disagree. truths() is what the truth says of a
+/// question, or nothing where the question is not asked. statements() is what an answer says. relations() lists the
 /// level's relations. A page replaces any of the members here.
 template <class Level_>
 class Page {

@@ -93,8 +93,8 @@ class Object_page : public Two_questions<levels::Objects> {
  private:
   const Object_case* c_ = nullptr;
   Distance away_{};
-  // Of all cases in order, by question, and by subject and question; nothing for a case that was not asked, -1 for a
-  // failure.
+  // The truths and answers of all cases in order, by question, and by subject and question. Nothing stands for a case
+  // that was not asked, -1 for a failure.
   std::map<Question, std::vector<int>> truths_;
   std::map<std::pair<std::size_t, Question>, std::vector<std::optional<int>>> answers_;
 };

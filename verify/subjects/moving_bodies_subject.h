@@ -23,8 +23,8 @@ kernel::Body_motion motion_of(const Motion_ends& ends);
 /// Returns the package's answer.
 std::optional<kernel::Time_bounds> first_contact(const Moving_bodies& bodies, kernel::Question question);
 
-/// A running subject of first contacts, for one thread. The time is for `yes`: doubles around the exact one, equal for a
-/// subject with only one.
+/// A running subject of first contacts, for one thread. The time is for `yes`: doubles around the exact one. They are
+/// equal for a subject with only one.
 using Running_motion = Running<Moving_bodies, kernel::Time_bounds, kernel::Question>;
 using Told_contact = Told<kernel::Time_bounds>;
 using Moving_bodies_subject = Subject_of<Running_motion>;

@@ -308,7 +308,7 @@ BOOST_AUTO_TEST_CASE(every_frame_of_every_family_is_exact_and_each_wrong_list_is
   BOOST_TEST(rows.sum("false_positives", "one too many") == frames);
   BOOST_TEST(rows.sum("false_negatives", "one too few") == meet);
   BOOST_TEST(rows.sum("failures", "nothing") == frames);
-  // Of a scene only the first wrong frame is listed.
+  // Only the first wrong frame of a scene is listed.
   BOOST_TEST(rows.number("SELECT count(*) FROM wrong WHERE subject = 'one too many'") == scenes);
   BOOST_TEST(rows.relations("violated", "adaptive%") == 0);
   BOOST_TEST(rows.relations("tried", "adaptive%") > frames);
