@@ -101,8 +101,7 @@ int answer(Predicate predicate, const verify::Predicate_case& c)
       return -2;
     return meet;
   }
-  if (predicate == Predicate::tetrahedron)
-    return kernel::barycentric_signs<K>(p, v[0], v[1], v[2], v[3]).feature() != kernel::In_tetrahedron::outside;
+  if (predicate == Predicate::tetrahedron) return kernel::is_in_tetrahedron<K>(p, v[0], v[1], v[2], v[3]);
   if (predicate == Predicate::solid) {
     int winding = 0;
     for (const auto& [i, j, k] : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {

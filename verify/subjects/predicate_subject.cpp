@@ -79,10 +79,7 @@ std::optional<int> ask(Predicate predicate, const Predicate_case& c)
       const auto t = cone(x);
       return kernel::is_in_tetra_cone<K>(x.p, t.v0, t.v1, t.v2, t.v3);
     }
-    case Predicate::tetrahedron: {
-      const auto feature = kernel::barycentric_signs<K>(x.p, v[0], v[1], v[2], v[3]).feature();
-      return feature != kernel::In_tetrahedron::outside && feature != kernel::In_tetrahedron::flat;
-    }
+    case Predicate::tetrahedron: return kernel::is_in_tetrahedron<K>(x.p, v[0], v[1], v[2], v[3]);
     case Predicate::segment_triangle:
       return kernel::segment_triangle<K>(x.p, x.q, v[1], v[2], v[3]) != kernel::Contact::none;
     case Predicate::solid: return locate(x);

@@ -56,8 +56,7 @@ std::optional<int> by_signs(Predicate predicate, const Predicate_case& c)
     return winding != 0 ? 1 : -1;
   }
   if (volume == kernel::ZERO) return std::nullopt;
-  if (predicate == Predicate::tetrahedron)
-    return kernel::barycentric_signs<K>(p, v0, v1, v2, v3).feature() != kernel::In_tetrahedron::outside;
+  if (predicate == Predicate::tetrahedron) return kernel::is_in_tetrahedron<K>(p, v0, v1, v2, v3);
   if (volume == kernel::NEGATIVE) std::swap(v2, v3);
   if (predicate == Predicate::tetra_cone) return kernel::is_in_tetra_cone<K>(p, v0, v1, v2, v3);
   if (kernel::volume_sign<K>(v0, p, q, r) == kernel::ZERO) return std::nullopt;
