@@ -214,18 +214,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_speaks_for_each_connected_shell)
 BOOST_AUTO_TEST_CASE(two_boxes_joined_by_a_face_of_two_outer_loops_are_two_parts_of_the_surface)
 {
   // Legal: the face's points are two squares that share no point, so one vertex cannot speak for both boxes.
-  const Polyhedron left = scenes::box({0, 0, 0}, {1, 1, 1}), right = scenes::box({5, 0, 0}, {6, 1, 1});
-  Polyhedron both;
-  for (const Polyhedron* box : {&left, &right}) {
-    const Index first = both.vertices.size();
-    both.vertices.insert(both.vertices.end(), box->vertices.begin(), box->vertices.end());
-    for (Index f = 0; f < 5; ++f) {
-      std::vector<Index> loop;
-      for (const Index v : box->loop(f, 0)) loop.push_back(first + v);
-      both.add_polygon(loop);
-    }
-  }
-  both.add_face({{4, 5, 7, 6}, {12, 13, 15, 14}});
+  const Polyhedron both = scenes::joined_boxes(scenes::unit_cube(), scenes::box({5, 0, 0}, {6, 1, 1}));
   BOOST_TEST((volume(both) == 2));
   std::set<bool> sides;
   const Covering covering(both);

@@ -1,8 +1,8 @@
 #include "tetracone/covering/inclusion.h"
 
 #include "verify/test/support/kernel_test_case.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
+#include "verify/truth/point_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,7 +15,6 @@ BOOST_AUTO_TEST_SUITE(test_inclusion)
 
 using namespace tetracone::covering;
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
 using scenes::Random;
 
@@ -23,41 +22,11 @@ namespace {
 
 using Exact_motions = std::tuple<Epeck, Rational_kernel, Adaptive>;
 
-/// A point, and what is so of it; its winding number where it is off the surface.
+/// A point, and its place: 1 inside, 0 on the surface, -1 outside.
 struct Known_point {
   Vertex at;
-  Location location;
-  int winding;
+  int place;
 };
-
-Known_point known(const Polyhedron& body, const Vertex& v)
-{
-  const rationals::Vector p = rationals::exactly(v);
-  if (rationals::is_on_surface(body, p)) return {v, Location::on_surface, 0};
-  const int winding = rationals::winding_number(body, p);
-  return {v, winding != 0 ? Location::inside : Location::outside, winding};
-}
-
-/// Points where the covering of a body is degenerate: its vertices, the origin, midpoints of all pairs of these, and
-/// small integers.
-std::vector<Vertex> hard_points(const Polyhedron& body, const Vertex& origin, Random& random)
-{
-  std::vector<Vertex> points = {origin};
-  for (int n = 0; n < 40; ++n) points.push_back(scenes::grid_vertex(random, 4));
-  for (int n = 0; n < 60; ++n) {
-    const auto any = [&]() -> Vertex {
-      return scenes::integer(random, 0, 3) == 0
-                 ? origin
-                 : body.vertices[scenes::integer(random, 0, int(body.vertices.size()) - 1)];
-    };
-    // On an inner facet O W A, an inner edge O W, or the plane of faces.
-    const Vertex a = any(), b = any(), c = any();
-    Vertex p;
-    for (int k = 0; k < 3; ++k) p[k] = n % 2 == 0 ? (a[k] + b[k]) / 2 : a[k] / 2 + b[k] / 4 + c[k] / 4;
-    points.push_back(p);
-  }
-  return points;
-}
 
 struct Known_body {
   std::string name;
@@ -73,8 +42,9 @@ const std::vector<Known_body>& known_bodies()
     std::vector<Known_body> bodies;
     for (const auto& [name, body] : scenes::closed_bodies()) {
       bodies.push_back({name, body, {}});
-      for (const Vertex& p : hard_points(body, Model<Adaptive>(body).lattice().origin, random))
-        bodies.back().points.push_back(known(body, p));
+      const tetracone::verify::Point_truth truth(body);
+      for (const Vertex& p : scenes::hard_points(body, Model<Adaptive>(body).lattice().origin, random))
+        bodies.back().points.push_back({p, truth(p)});
     }
     return bodies;
   }();
@@ -94,18 +64,18 @@ KERNEL_TEST_CASE(points_are_where_rays_say_and_winding_numbers_turn_their_sign_w
     std::vector<Pose> poses = {Pose(), scenes::random_affine(random), scenes::random_rotation(random),
                                scenes::rounded(scenes::random_rotation(random)),
                                Pose(std::array<double, 12>{-1, 0, 0, 0x1p50, 0, 1, 0, 0x1p-50, 0, 0, 1, 0.1})};
+    std::vector<int> first(points.size());
     for (const Pose& pose : poses) {
       placed.place(pose);
       const Frame<K> frame(pose);
       int wrong = 0;
       for (std::size_t n = 0; n < points.size(); n += 4) {
-        const Known_point& p = points[n];
-        const Point<K> q = frame(point<K>(p.at));
-        const bool on_surface = p.location == Location::on_surface;
-        wrong += locate<K>(q, placed) != p.location;
-        if (on_surface) continue;
-        wrong += winding_number<K>(q, placed) != p.winding * int(pose.determinant_sign());
-        seen.insert(p.winding);
+        const Point<K> q = frame(point<K>(points[n].at));
+        wrong += int(locate<K>(q, placed)) != points[n].place;
+        if (points[n].place == 0) continue;
+        const int winding = winding_number<K>(q, placed);
+        if (pose.is_identity()) seen.insert(first[n] = winding);
+        wrong += winding != first[n] * int(pose.determinant_sign()) || (winding != 0) != (points[n].place > 0);
       }
       BOOST_TEST(wrong == 0);
     }

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <optional>
-#include <random>
 #include <vector>
 
 /// Plain rational geometry, with which tests compare the code. It uses no predicate of the library.
@@ -83,83 +82,6 @@ inline Vector normal(const Polyhedron& polyhedron, Index f)
       if (!is_zero(n)) return n;
     }
   return {0, 0, 0};
-}
-
-inline bool is_on_loops(const Polyhedron& polyhedron, Index f, const Vector& p)
-{
-  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-    const auto loop = polyhedron.loop(f, l);
-    for (std::size_t k = 0; k < loop.size(); ++k)
-      if (is_on_segment(p, exactly(polyhedron.vertices[loop[k]]),
-                        exactly(polyhedron.vertices[loop[(k + 1) % loop.size()]])))
-        return true;
-  }
-  return false;
-}
-
-/// Returns the winding number of the face's loops about a point of its plane off the loops, seen from the side to which
-/// `n` points.
-inline int winding_in_plane(const Polyhedron& polyhedron, Index f, const Vector& n, const Vector& p)
-{
-  int drop = 0;
-  while (n[drop] == 0) ++drop;
-  const int u = (drop + 1) % 3, v = (drop + 2) % 3;
-  int winding = 0;
-  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-    const auto loop = polyhedron.loop(f, l);
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Vector a = exactly(polyhedron.vertices[loop[k]]),
-                   b = exactly(polyhedron.vertices[loop[(k + 1) % loop.size()]]);
-      const bool from_above = a[v] > p[v], to_above = b[v] > p[v];
-      if (from_above == to_above) continue;
-      const int turn = sign(Rational((b[u] - a[u]) * (p[v] - a[v]) - (b[v] - a[v]) * (p[u] - a[u])));
-      if (to_above && turn > 0) ++winding;
-      if (from_above && turn < 0) --winding;
-    }
-  }
-  return winding * sign(n[drop]);
-}
-
-/// True when p is on the closed face.
-inline bool is_on_face(const Polyhedron& polyhedron, Index f, const Vector& p)
-{
-  if (is_on_loops(polyhedron, f, p)) return true;
-  const Vector n = normal(polyhedron, f);
-  if (is_zero(n) || inner(n, minus(p, exactly(polyhedron.vertices[polyhedron.loop(f, 0)[0]]))) != 0) return false;
-  return winding_in_plane(polyhedron, f, n, p) != 0;
-}
-
-inline bool is_on_surface(const Polyhedron& polyhedron, const Vector& p)
-{
-  for (Index f = 0; f < polyhedron.face_count(); ++f)
-    if (is_on_face(polyhedron, f, p)) return true;
-  return false;
-}
-
-/// Returns the winding number of the polyhedron about p, by signed crossings of a ray; a ray that meets a loop is
-/// replaced by another. Requires p off the surface.
-inline int winding_number(const Polyhedron& polyhedron, const Vector& p)
-{
-  std::mt19937 random(7);
-  std::uniform_int_distribution<int> coordinate(-1000, 1000);
-  for (;;) {
-    const Vector direction = {coordinate(random), coordinate(random), coordinate(random)};
-    int winding = 0;
-    bool clean = true;
-    for (Index f = 0; f < polyhedron.face_count() && clean; ++f) {
-      const Vector n = normal(polyhedron, f);
-      if (is_zero(n)) continue;
-      const Rational speed = inner(n, direction);
-      clean = speed != 0;
-      if (!clean) continue;
-      const Rational distance = inner(n, minus(exactly(polyhedron.vertices[polyhedron.loop(f, 0)[0]]), p)) / speed;
-      if (distance <= 0) continue;
-      const Vector y = plus(p, times(distance, direction));
-      clean = !is_on_loops(polyhedron, f, y);
-      if (clean) winding += sign(speed) * winding_in_plane(polyhedron, f, n, y);
-    }
-    if (clean) return winding;
-  }
 }
 
 /// Returns six times the volume by the divergence theorem, with triangle fans of every loop about the loop's own first

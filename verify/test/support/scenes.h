@@ -120,6 +120,15 @@ inline std::vector<Index> reversed_loop(const Polyhedron& body, Index f, Index f
   return loop;
 }
 
+/// Returns two boxes, of each of which the last face is a loop of one face in their place.
+inline Polyhedron joined_boxes(const Polyhedron& a, const Polyhedron& b)
+{
+  Polyhedron both = without_last_face(a);
+  append(both, without_last_face(b));
+  both.add_face({{4, 5, 7, 6}, {12, 13, 15, 14}});
+  return both;
+}
+
 /// The cube [-3, 3]^3 with a square tunnel of half width 1 along z: top and bottom are faces with a hole.
 inline Polyhedron cube_with_tunnel()
 {
@@ -421,6 +430,37 @@ inline std::vector<Named> closed_bodies()
   degenerate.add_polygon({1, 2, 2});
   bodies.push_back({"degenerate faces", degenerate});
   return bodies;
+}
+
+/// Those, a body of many triangles, and some far from 0, tiny and huge.
+inline std::vector<Named> bodies_of_any_size()
+{
+  std::vector<Named> bodies = closed_bodies();
+  const Polyhedron round = triangulated(torus(9, 7)), tunnel = cube_with_tunnel();
+  bodies.push_back({"torus", round});
+  bodies.push_back({"far torus", moved(round, 0x1p-4, {0x1p20 + 1, 0x1p21, 3})});
+  bodies.push_back({"far", moved(tunnel, 1, {0x1p40, -0x1p41, 0x1p39})});
+  for (const double size : {0x1p-1060, 0x1p-300, 0x1p300, 0x1p1020}) bodies.push_back({"scaled", moved(tunnel, size)});
+  return bodies;
+}
+
+/// Points where the covering of a body is degenerate: the origin, small integers, and points between vertices, also in
+/// faces and on the way to the origin.
+inline std::vector<Vertex> hard_points(const Polyhedron& body, const Vertex& origin, Random& random)
+{
+  std::vector<Vertex> points = {origin};
+  for (int n = 0; n < 40; ++n) points.push_back(grid_vertex(random, 4));
+  for (int n = 0; n < 60; ++n) {
+    const auto any = [&]() -> Vertex {
+      return integer(random, 0, 3) == 0 ? origin : body.vertices[integer(random, 0, int(body.vertices.size()) - 1)];
+    };
+    // On an inner facet O W A, an inner edge O W, or the plane of faces.
+    const Vertex a = any(), b = any(), c = any();
+    Vertex p;
+    for (int k = 0; k < 3; ++k) p[k] = n % 2 == 0 ? a[k] / 2 + b[k] / 2 : a[k] / 2 + b[k] / 4 + c[k] / 4;
+    points.push_back(p);
+  }
+  return points;
 }
 
 }  // namespace tetracone::verify::scenes

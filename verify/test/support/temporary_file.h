@@ -66,7 +66,7 @@ std::string error_of(const Temporary_file& file, const Read& read)
   return "no error";
 }
 
-/// Of a file with this text.
+/// As above, of a file with this text.
 template <class Read>
 std::string error_of(const std::string& text, const Read& read)
 {

@@ -186,17 +186,7 @@ BOOST_AUTO_TEST_CASE(deep_trees_with_small_leaves_are_right)
 BOOST_AUTO_TEST_CASE(a_face_of_two_parts_puts_one_part_inside)
 {
   // One box inside the other body and one outside, joined only by being loops of one face.
-  const Polyhedron left = scenes::cube(0.5), right = scenes::moved(left, 1, {9, 0, 0});
-  Polyhedron both;
-  both.vertices = right.vertices;
-  both.vertices.insert(both.vertices.end(), left.vertices.begin(), left.vertices.end());
-  for (Index f = 0; f < 5; ++f)
-    for (const Index first : {0u, 8u}) {
-      std::vector<Index> loop;
-      for (const Index v : left.loop(f, 0)) loop.push_back(first + v);
-      both.add_polygon(loop);
-    }
-  both.add_face({{4, 5, 7, 6}, {12, 13, 15, 14}});
+  const Polyhedron left = scenes::cube(0.5), both = scenes::joined_boxes(scenes::moved(left, 1, {9, 0, 0}), left);
   Tetra_tree<Adaptive> a(both), b(scenes::cube(2));
   Collision<Adaptive> collision(a, b);
   BOOST_TEST(collision(Pose(), Pose()));

@@ -1,7 +1,5 @@
 #include "tetracone/tetratree/paper/regular_hull.h"
 
-#include "tetracone/kernel/predicate/adaptive.h"
-#include "tetracone/tetratree/paper/tetra_tree.h"
 #include "verify/test/support/cones.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
@@ -13,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_regular_hull)
@@ -58,26 +55,6 @@ Interval volume(const Direction& a, const Direction& b, const Direction& c, cons
     z[k] = s[k] - p[k];
   }
   return (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2];
-}
-
-// All of the tree's vertices in the half-space, in rationals.
-int vertices_beyond(const Half_space<double>& half_space, const std::vector<Vertex>& vertices)
-{
-  int beyond = 0;
-  for (const Vertex& v : vertices) {
-    const rationals::Vector from_origin =
-        rationals::minus(rationals::exactly(v), rationals::exactly(half_space.origin));
-    beyond += rationals::inner(rationals::exactly(half_space.normal), from_origin) > Rational(half_space.offset);
-  }
-  return beyond;
-}
-
-Vertex middle_of(const Tetra_cone& cone)
-{
-  Vertex middle{0, 0, 0};
-  for (const Direction& ray : cone.ray)
-    for (int k = 0; k < 3; ++k) middle[k] += ray[k];
-  return middle;
 }
 
 }  // namespace
@@ -132,39 +109,6 @@ BOOST_AUTO_TEST_CASE(the_cone_towards_a_direction_holds_it)
     wrong += scenes::determinant(cone) != Rational(std::ldexp(1.0, 3 * max_cone_depth - 2 * (level - 1)));
   }
   BOOST_TEST(wrong == 0);
-}
-
-BOOST_AUTO_TEST_CASE(every_vertex_is_in_the_half_space_of_every_facet)
-{
-  Random random(2);
-  int beyond = 0, leaf_levels_differ = 0;
-  for (int n = 0; n < 20; ++n) {
-    const auto body = n % 3 == 0   ? scenes::random_tetrahedra(random, 6, 5)
-                      : n % 3 == 1 ? scenes::blob(random, 2, 0.3, 1)
-                                   : scenes::moved(scenes::blob(random, 2, 0.05, 2), n % 2 == 0 ? 1 : 1e-120,
-                                                   {n % 2 == 0 ? 3.0 : 0, 0, 0});
-    Config config;
-    config.depth = 1 + n % 6;
-    config.leaf_size = 1 + n % 5;
-    config.far_plane = n % 2 == 0 ? Far_plane::shortened : Far_plane::tightest;
-    config.on_demand = n % 10 == 9;
-    const Tetra_tree<Adaptive> tree(body, config);
-    const Hull hull = tree.regular_hull();
-    int lowest = max_cone_depth, deepest = 0;
-    for (Index k = 0; k < tree.node_count(); ++k)
-      if (tree.node(k).is_leaf) {
-        lowest = std::min(lowest, tree.node(k).level);
-        deepest = std::max(deepest, tree.node(k).level);
-      }
-    leaf_levels_differ += lowest < deepest;
-    for (const Tetra_cone& cone : scenes::cones_of_level(std::min(config.depth, 3))) {
-      Vertex d = middle_of(cone);
-      for (double& x : d) x += scenes::real(random, -0.1, 0.1) * lattice_size / 16;
-      beyond += vertices_beyond(hull.towards(d), body.vertices);
-    }
-  }
-  BOOST_TEST(beyond == 0);
-  BOOST_TEST(leaf_levels_differ > 3);
 }
 
 BOOST_AUTO_TEST_CASE(the_plane_of_the_hull_is_at_dmax_and_that_of_the_sphere_at_the_radius)
