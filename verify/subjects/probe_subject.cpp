@@ -89,9 +89,9 @@ Ray_answer hits_of(Ready& ready, const Probe_case& c)
   return {ready.body.first_hit(ray), ready.body.hits(ray)};
 }
 
-namespace moeller_trumbore {
+namespace rays_in_doubles {
 
-using Vector = kernel::Vertex;
+using Triple = kernel::Vertex;
 
 /// All triangles of the body: the library's list leaves out faces that already are triangles.
 struct Triangles {
@@ -108,17 +108,17 @@ struct Triangles {
   std::vector<covering::Face_triangle> triangles;
 };
 
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b)
+Triple minus(const Triple& a, const Triple& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Triple cross(const Triple& a, const Triple& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// Returns t of the crossing; negative or NaN if there is none.
-double crossing(const Vector& o, const Vector& d, const Vector& a, const Vector& b, const Vector& c)
+double crossing(const Triple& o, const Triple& d, const Triple& a, const Triple& b, const Triple& c)
 {
-  const Vector e = minus(b, a), f = minus(c, a), p = cross(d, f), s = minus(o, a), q = cross(s, e);
+  const Triple e = minus(b, a), f = minus(c, a), p = cross(d, f), s = minus(o, a), q = cross(s, e);
   const double determinant = dot(e, p), u = dot(s, p) / determinant, v = dot(d, q) / determinant;
   return determinant != 0 && u >= 0 && v >= 0 && u + v <= 1 ? dot(f, q) / determinant : -1;
 }
@@ -129,7 +129,7 @@ Ray_answer hits(Triangles& ready, const Probe_case& c)
 {
   std::vector<Ray_hit> all;
   for (const covering::Face_triangle& t : ready.triangles) {
-    const auto corner = [&](std::size_t k) -> const Vector& { return c.body->vertices[t.corner[k]]; };
+    const auto corner = [&](std::size_t k) -> const Triple& { return c.body->vertices[t.corner[k]]; };
     const double at = crossing(c.from, c.direction, corner(0), corner(1), corner(2));
     if (!(at >= 0)) continue;
     const auto known = std::ranges::find(all, t.face, &Ray_hit::face);
@@ -142,7 +142,7 @@ Ray_answer hits(Triangles& ready, const Probe_case& c)
   return {all.empty() ? std::nullopt : std::optional(all.front()), all};
 }
 
-}  // namespace moeller_trumbore
+}  // namespace rays_in_doubles
 
 template <class Ready, class Answer>
 Subject_of<Running<Probe_case, Answer>> subject(const char* name, bool is_exact,
@@ -171,7 +171,7 @@ std::vector<Ray_subject> ray_subjects()
   return {
       subject("adaptive tree", true, hits_of<Triangulated>),
       subject("adaptive tree whole-faces", true, hits_of<Whole>),
-      subject("double moeller-trumbore", false, moeller_trumbore::hits),
+      subject("double moeller-trumbore", false, rays_in_doubles::hits),
   };
 }
 
