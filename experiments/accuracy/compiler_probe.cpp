@@ -11,12 +11,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <gmp.h>
+#include <gmpxx.h>
 
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 
 namespace {
 
@@ -56,37 +55,23 @@ double as_double(Integer x)
   return double(x) * scale;
 }
 
-void set(mpz_t z, Integer x)
+mpz_class exactly(Integer x)
 {
   const unsigned __int128 magnitude = x < 0 ? -(unsigned __int128)x : (unsigned __int128)x;
-  mpz_set_ui(z, std::uint64_t(magnitude >> 64));
-  mpz_mul_2exp(z, z, 64);
-  mpz_add_ui(z, z, std::uint64_t(magnitude));
-  if (x < 0) mpz_neg(z, z);
+  const mpz_class high = (unsigned long)(magnitude >> 64), low = (unsigned long)magnitude;
+  const mpz_class value = (high << 64) + low;
+  return x < 0 ? mpz_class(-value) : value;
 }
 
 int true_sign(const Quadruple& q)
 {
-  mpz_t m[3][3], sum, product, term;
-  mpz_inits(sum, product, term, nullptr);
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) {
-      mpz_init(m[i][k]);
-      set(m[i][k], q[i + 1][k] - q[0][k]);
-    }
+  const auto d = [&q](int i, int k) { return exactly(q[i + 1][k] - q[0][k]); };
+  mpz_class sum = 0;
   for (int k = 0; k < 3; ++k) {
     const int l = (k + 1) % 3, n = (k + 2) % 3;
-    mpz_mul(product, m[1][l], m[2][n]);
-    mpz_mul(term, m[1][n], m[2][l]);
-    mpz_sub(product, product, term);
-    mpz_mul(product, product, m[0][k]);
-    mpz_add(sum, sum, product);
+    sum += d(0, k) * (d(1, l) * d(2, n) - d(1, n) * d(2, l));
   }
-  const int sign = mpz_sgn(sum);
-  for (auto& row : m)
-    for (auto& entry : row) mpz_clear(entry);
-  mpz_clears(sum, product, term, nullptr);
-  return sign;
+  return sgn(sum);
 }
 
 // Four random points per query.

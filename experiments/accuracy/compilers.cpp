@@ -1,4 +1,4 @@
-#include "experiments/accuracy/compilers.h"
+#include "experiments/accuracy/experiments.h"
 
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
@@ -120,11 +120,11 @@ std::vector<Csv_row> rows_of(const Compiled_probe& build, const std::filesystem:
 
 }  // namespace
 
-void run_compilers(const std::filesystem::path& out)
+void run_compilers(const Experiment_options& options)
 {
   const std::vector<Compiled_probe> all = builds();
   if (all.empty()) throw std::runtime_error("no compiler; expected g++ or clang++");
-  make_folder(out);
+  make_folder(options.out);
   std::vector<std::vector<Csv_row>> rows(all.size());
   Progress progress("compilations", all.size());
   std::mutex one_at_a_time;
@@ -137,7 +137,7 @@ void run_compilers(const std::filesystem::path& out)
   Csv_table table;
   for (const std::vector<Csv_row>& of_build : rows)
     for (const Csv_row& row : of_build) table.add(row);
-  write_whole(out / "compilers.csv", table.text());
+  write_whole(options.out / "compilers.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

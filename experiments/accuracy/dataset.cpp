@@ -1,4 +1,4 @@
-#include "experiments/accuracy/dataset.h"
+#include "experiments/accuracy/experiments.h"
 
 #include "experiments/accuracy/dataset_files.h"
 #include "experiments/support/build_info.h"
@@ -25,7 +25,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -229,16 +228,17 @@ class Checked_folder {
 
 }  // namespace
 
-void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::uint64_t seed)
+void export_dataset(const Experiment_options& options)
 {
-  const std::filesystem::path folder = out / "dataset";
+  const std::uint64_t cases = options.full ? 20 * options.cases : options.cases;
+  const std::filesystem::path folder = options.out / "dataset";
   make_folder(folder / "meshes");
   Meshes meshes(folder / "meshes");
   Rows objects, predicates;
   Progress progress("cases", 2 * cases * verify::families().size());
   for (const verify::Family& family : verify::families())
     for (std::uint64_t k = 0; k < cases; ++k) {
-      verify::Object_case c = family.object_case(seed, k);
+      verify::Object_case c = family.object_case(options.seed, k);
       c.a = std::make_shared<const covering::Polyhedron>(as_triangles(*c.a));
       c.b = std::make_shared<const covering::Polyhedron>(as_triangles(*c.b));
       const verify::Brute_body a(*c.a), b(*c.b);
@@ -258,7 +258,7 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
       objects.end();
       progress.step();
 
-      const verify::Predicate_case p = family.predicate_case(seed, k);
+      const verify::Predicate_case p = family.predicate_case(options.seed, k);
       for (const verify::Predicate predicate : verify::all_predicates) {
         const auto truth = verify::true_answer(predicate, p);
         agree(truth == verify::integer_truth::answer(predicate, p));
@@ -293,7 +293,7 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
   kept.add("dataset.json", Json{{"name", "Collisions with exact truth"},
                                 {"version", TETRACONE_VERSION},
                                 {"licence", "CC0-1.0"},
-                                {"seed", seed},
+                                {"seed", options.seed},
                                 {"cases_per_family", cases},
                                 {"families", verify::families().size()},
                                 {"again", again()}}

@@ -1,4 +1,4 @@
-#include "experiments/accuracy/error_bounds.h"
+#include "experiments/accuracy/experiments.h"
 
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
@@ -12,15 +12,16 @@
 
 namespace tetracone::experiments {
 
-void run_error_bounds(const std::filesystem::path& out, int steps, std::uint64_t seed)
+void run_error_bounds(const Experiment_options& options)
 {
+  constexpr int steps = 20000;
   if (!verify::proofs::gappa_is_there())
     throw std::runtime_error("gappa: not found; expected the Debian package gappa, which proves the bounds");
-  make_folder(out);
+  make_folder(options.out);
   Csv_table table;
   for (const auto& bound : verify::proofs::all_proofs()) {
     const double in_code = bound.in_code.get_d() / bound.unit, proved = bound.proved.get_d() / bound.unit;
-    const double found = verify::proofs::worst_found(bound.name, steps, unsigned(seed));
+    const double found = verify::proofs::worst_found(bound.name, steps, unsigned(options.seed));
     Csv_row row;
     row.add("constant", bound.name).add("file", bound.file).add("unit", bound.unit).add("in_code", in_code);
     row.add("proved", proved).add("proved_by", bound.by).add("proof", bound.proof);
@@ -33,7 +34,7 @@ void run_error_bounds(const std::filesystem::path& out, int steps, std::uint64_t
       std::printf(" %9.4f found, margin %.2f\n", found, proved / found);
     }
     row.add("not_searched", verify::proofs::why_not_searched(bound.name));
-    table.add(row.add_origin(seed));
+    table.add(row.add_origin(options.seed));
   }
   for (const auto& [file, name, kind, reason] : verify::proofs::other_constants()) {
     using verify::proofs::Constant_kind;
@@ -43,9 +44,9 @@ void run_error_bounds(const std::filesystem::path& out, int steps, std::uint64_t
     row.add("constant", name).add("file", file).none("unit").none("in_code").none("proved");
     row.add("proved_by", is_tested ? "test" : "hand").add("proof", is_tested ? reason : file);
     row.none("found").none("proved_over_found").add("not_searched", is_tested ? "" : reason);
-    table.add(row.add_origin(seed));
+    table.add(row.add_origin(options.seed));
   }
-  write_whole(out / "error_bounds.csv", table.text());
+  write_whole(options.out / "error_bounds.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

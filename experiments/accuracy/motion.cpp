@@ -1,4 +1,4 @@
-#include "experiments/accuracy/motion.h"
+#include "experiments/accuracy/experiments.h"
 
 #include "experiments/accuracy/motion_subjects.h"
 #include "experiments/support/csv_row.h"
@@ -104,12 +104,13 @@ void judge(const Judged& judged, std::uint64_t seed, Csv_table& table)
 
 }  // namespace
 
-void run_motion(const std::filesystem::path& out, const std::filesystem::path& queries, std::uint64_t cases,
-                std::uint64_t seed)
+void run_motion(const Experiment_options& options)
 {
-  make_folder(out);
+  const std::uint64_t cases = (options.full ? 500 : 10) * options.cases, seed = options.seed;
+  make_folder(options.out);
   Csv_table table, relations;
-  for (const Judged& judged : queries.empty() ? std::vector<Judged>() : published(queries)) judge(judged, seed, table);
+  for (const Judged& judged : options.queries.empty() ? std::vector<Judged>() : published(options.queries))
+    judge(judged, seed, table);
 
   Progress progress("moving pairs", verify::motion_families().size() * cases);
   verify::Random random(seed);
@@ -138,8 +139,8 @@ void run_motion(const std::filesystem::path& out, const std::filesystem::path& q
     row("first time", cases - wrong_times, wrong_times, 0);
     for (const auto& [name, count] : verdicts) row(name, count[0], count[1], count[2]);
   }
-  write_whole(out / "motion.csv", table.text());
-  write_whole(out / "motion_relations.csv", relations.text());
+  write_whole(options.out / "motion.csv", table.text());
+  write_whole(options.out / "motion_relations.csv", relations.text());
 }
 
 }  // namespace tetracone::experiments

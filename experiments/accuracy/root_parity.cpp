@@ -1,6 +1,7 @@
 #include "experiments/accuracy/root_parity.h"
 
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <array>
 #include <cstddef>
@@ -8,25 +9,14 @@
 namespace tetracone::experiments {
 namespace {
 
+using kernel::cross;
+using kernel::determinant;
+using kernel::difference;
+using kernel::dot;
 using kernel::Moving_kind;
 using kernel::Moving_pair;
 using kernel::Rational;
 using Corner = std::array<Rational, 3>;
-
-Corner cross(const Corner& a, const Corner& b)
-{
-  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
-          Rational(a[0] * b[1] - a[1] * b[0])};
-}
-
-Rational dot(const Corner& a, const Corner& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Rational determinant(const Corner& a, const Corner& b, const Corner& c) { return dot(cross(a, b), c); }
-
-Corner difference(const Corner& a, const Corner& b)
-{
-  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
-}
 
 bool origin_on_segment(const Corner& a, const Corner& b)
 {

@@ -1,4 +1,4 @@
-#include "experiments/accuracy/sign_maps.h"
+#include "experiments/accuracy/experiments.h"
 
 #include "experiments/accuracy/contracted.h"
 #include "experiments/support/csv_row.h"
@@ -21,7 +21,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,6 +61,14 @@ struct Map {
   std::vector<Map_subject> subjects;  ///< the last is exact
   std::function<int(int row, int column)> truth;
 };
+
+/// The subjects of a map, from those of our kernels by the shown name and the kernel's, and contracted arithmetic.
+template <class Ours>
+std::vector<Map_subject> subjects(const Ours& ours, const Map_subject& fused)
+{
+  return {ours("float", "float"),       ours("double", "double"), fused, ours("double ε = 1e-12", "double-eps=1e-12"),
+          ours("EPICK moved", "epick"), ours("exact", "adaptive")};
+}
 
 Predicate_case case_at(const std::array<Vertex, 4>& v, const Vertex& p, const Vertex& q, const Vertex& r)
 {
@@ -113,9 +120,7 @@ Map predicate_map(const std::string& name, Predicate predicate,
   const Map_subject fused{"FMA double", [=](int) {
                             return [=](int row, int column) { return drawn(contracted(predicate, at(row, column))); };
                           }};
-  return {name,
-          {ours("float", "float"), ours("double", "double"), fused, ours("double ε = 1e-12", "double-eps=1e-12"),
-           ours("EPICK moved", "epick"), ours("exact", "adaptive")},
+  return {name, subjects(ours, fused),
           [=](int row, int column) { return drawn(*verify::integer_truth::answer(predicate, at(row, column))); }};
 }
 
@@ -166,10 +171,7 @@ Map collision_map(int size)
     c.pose_b = pose(row, column);
     return verify::integer_truth::collide(c, Question::solid) ? 1 : -1;
   };
-  return {"collision of two bodies",
-          {ours("float", "float"), ours("double", "double"), fused, ours("double ε = 1e-12", "double-eps=1e-12"),
-           ours("EPICK moved", "epick"), ours("exact", "adaptive")},
-          truth};
+  return {"collision of two bodies", subjects(ours, fused), truth};
 }
 
 std::vector<Map> maps(int size)
@@ -211,9 +213,10 @@ std::vector<std::string> answers(const Map& map, int row, int size)
 
 }  // namespace
 
-void run_sign_maps(const std::filesystem::path& out, int size)
+void run_sign_maps(const Experiment_options& options)
 {
-  make_folder(out);
+  const int size = options.size;
+  make_folder(options.out);
   const auto all = maps(size);
   Csv_table table;
   Progress progress("rows of sign maps", all.size() * std::size_t(size));
@@ -234,7 +237,7 @@ void run_sign_maps(const std::filesystem::path& out, int size)
                       .add("answers", rows[row][s])
                       .add_build());
   }
-  write_whole(out / "sign_maps.csv", table.text());
+  write_whole(options.out / "sign_maps.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -1,4 +1,4 @@
-#include "experiments/accuracy/stability.h"
+#include "experiments/accuracy/experiments.h"
 
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
@@ -71,9 +71,11 @@ constexpr std::array kernels = {"float", "double", "double-eps=1e-12", "double-e
 
 }  // namespace
 
-void run_stability(const std::filesystem::path& out, int ways, std::uint64_t seed)
+void run_stability(const Experiment_options& options)
 {
-  make_folder(out);
+  const int ways = options.full ? 400 : 20;
+  const std::uint64_t seed = options.seed;
+  make_folder(options.out);
   const auto all = motions(seed);
   Csv_table table;
   Progress progress("thresholds", all.size() * std::size_t(ways));
@@ -113,7 +115,7 @@ void run_stability(const std::filesystem::path& out, int ways, std::uint64_t see
       }
     }
   }
-  write_whole(out / "stability.csv", table.text());
+  write_whole(options.out / "stability.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

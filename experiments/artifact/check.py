@@ -13,8 +13,8 @@ import sys
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 sys.path.insert(0, os.path.join(SOURCE, "experiments", "report"))
 
-import price_table  # noqa: E402
-import race_table as race  # noqa: E402
+import tables_price  # noqa: E402
+import race_data as race  # noqa: E402
 from campaign_data import is_exact  # noqa: E402
 from report_data import geometric_mean, read, wrong_in  # noqa: E402
 from study_data import Study  # noqa: E402
@@ -57,7 +57,7 @@ def claims(readme, folder):
         prices = race.against(motion, race.OURS, race.IN_DOUBLE).values()
         yield "over double, motion", MEAN, spans(rows["motion"][0]), [(geometric_mean(prices),) * 2]
     if study:
-        prices = {p["contact"]: p for p in price_table.prices(study) if p["question"] == "surface"}
+        prices = {p["contact"]: p for p in tables_price.prices(study) if p["question"] == "surface"}
         for label, contacts in CONTACTS.items():
             mine = [prices[contact] for contact in contacts]
             if label != "motion":  # which the race says

@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {

@@ -1,3 +1,4 @@
+#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/cli/answer_rows.h"
@@ -308,11 +309,9 @@ void add_collide_command(CLI::App& app)
       ->required();
   command->add_option("B", options->names.b, "Model");
   const CLI::Option* question =
-      command
-          ->add_option("--question", options->question,
-                       "solid: do the solids share a point; surface: do the surfaces; of a case file: its own")
-          ->capture_default_str();
-  command->add_option("--kernel", options->kernel, kernel_names())->capture_default_str();
+      add_default(*command, "--question", options->question,
+                  "solid: do the solids share a point; surface: do the surfaces; of a case file: its own");
+  add_default(*command, "--kernel", options->kernel, kernel_names());
   command
       ->add_option("--compare", options->compare,
                    "Kernels asked beside --kernel, as K,K: a column each behind its own, blanks between them; in the "
@@ -320,10 +319,8 @@ void add_collide_command(CLI::App& app)
       ->delimiter(',')
       ->allow_extra_args(false);
   add_subject_options(*command, options->others);
-  command
-      ->add_option("--method", options->method,
-                   "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
-      ->capture_default_str();
+  add_default(*command, "--method", options->method,
+              "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs");
   command->add_flag("--features", options->features,
                     "All colliding pairs (edge of one, face of the other) instead of the answer");
   command->add_flag("--contacts", options->contacts,
@@ -339,16 +336,14 @@ void add_collide_command(CLI::App& app)
   command->add_flag(
       "--time", options->time,
       "With --csv or --json: nanoseconds and work of each pose; standard error tells what the first query made");
-  command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")
-      ->capture_default_str();
+  add_default(*command, "--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts");
   options->names.add_options_to(*command);
   command->footer(
       "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, "
       "face, kind.\n"
       "With --contacts: pose, face of A, face of B, point, segment or coplanar, and two ends; --json has the "
       "polygons. From 2^1024 - 2^970 on, half a step beyond the largest double, the nearest double is `inf`, as IEEE "
-      "754 "
-      "rounds.\n"
+      "754 rounds.\n"
       "A case file of a predicate prints that predicate's answer.\n"
       "With --compare double,float a line is `1 1 0`: the answers of adaptive (or of --kernel), double and float; CSV: "
       "pose,adaptive,double,float.\n"

@@ -15,13 +15,21 @@ inline std::string shell_word(std::string word)
 {
   constexpr std::string_view project = TETRACONE_SOURCE_DIR "/";
   for (std::size_t at = 0; (at = word.find(project, at)) != std::string::npos;) word.erase(at, project.size());
-  const bool is_plain = !word.empty() && word.find_first_not_of(
-                                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                             "0123456789_./=:,+-") == std::string::npos;
+  const bool is_plain =
+      !word.empty() &&
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=:,+-") ==
+          std::string::npos;
   if (is_plain) return word;
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+/// Adds an option whose default value `--help` shows.
+template <class Value>
+CLI::Option* add_default(CLI::App& command, const std::string& name, Value& value, const std::string& text)
+{
+  return command.add_option(name, value, text)->capture_default_str();
 }
 
 /// Returns the options on which results depend, as a command line that repeats them: the given ones, and those with a

@@ -1,3 +1,4 @@
+#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/cli/distance_certificate.h"
@@ -14,7 +15,6 @@
 #include <iostream>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -150,30 +150,25 @@ void run_distance(const Distance_options& options)
 
 void add_distance_command(CLI::App& app)
 {
-  CLI::App* command = app.add_subcommand("distance",
-                                         "How far apart two models are: the double nearest to the exact "
-                                         "distance, a line a pose");
+  CLI::App* command = app.add_subcommand(
+      "distance", "How far apart two models are: the double nearest to the exact distance, a line a pose");
   const auto options = std::make_shared<Distance_options>();
   command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command->add_option("B", options->names.b, "Model")->required();
-  command
-      ->add_option("--question", options->question,
-                   "solid: of the solids, 0 where they collide; surface: of the surfaces, which may be open")
-      ->capture_default_str();
+  add_default(*command, "--question", options->question,
+              "solid: of the solids, 0 where they collide; surface: of the surfaces, which may be open");
   command->add_flag("--exact", options->exact,
                     "The squared distance, then of A and of B the nearest point and what holds it, as fractions");
-  command->add_flag(
-      "--points", options->points,
-      "Behind the distance the nearest point of A and that of B, each coordinate as the double nearest to "
-      "it; of several such pairs one");
+  command->add_flag("--points", options->points,
+                    "Behind the distance the nearest point of A and that of B, each coordinate as the double nearest "
+                    "to it; of several such pairs one");
   command->add_option("--within", options->within,
                       "1 or 0: is the distance at most this, a decimal number (its double) or a fraction n/d");
-  command->add_option("--kernel", options->kernel, "adaptive, double or rational")->capture_default_str();
+  add_default(*command, "--kernel", options->kernel, "adaptive, double or rational");
   command->add_option("--csv", options->csv,
                       "Write a table to this file: pose,distance or, with --within, pose,within");
   command->add_flag("--time", options->time, "With --csv: nanoseconds and work of each pose");
-  command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")
-      ->capture_default_str();
+  add_default(*command, "--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts");
   command->add_option(
       "--certificate", options->certificate,
       "Write JSON to this file, from which experiments/support/check_certificate.py proves the answers");

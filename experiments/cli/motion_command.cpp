@@ -1,3 +1,4 @@
+#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/support/model_file.h"
@@ -119,18 +120,15 @@ void add_motion_command(CLI::App& app)
   command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command->add_option("B", options->names.b, "Model")->required();
   options->names.add_options_to(*command);
-  command->add_option(
-      "--path", options->names.path,
-      "Poses of B, one after the other: a motion from each to the next, a line each, of times t in [0, 1] "
-      "within it. A stands at --pose-a0");
+  command->add_option("--path", options->names.path,
+                      "Poses of B, one after the other: a motion from each to the next, a line each, of times t in [0, "
+                      "1] within it. A stands at --pose-a0");
   command->add_flag(
       "--first", options->first,
       "With --path: only the first motion with a contact, `1 LO HI K`, from pose K to pose K + 1, or `0`");
   options->names.models.add_to(*command);
-  command
-      ->add_option("--question", options->question,
-                   "solid: of the solids, which may collide at t = 0 one within the other; surface: of the surfaces")
-      ->capture_default_str();
+  add_default(*command, "--question", options->question,
+              "solid: of the solids, which may collide at t = 0 one within the other; surface: of the surfaces");
   command->add_flag(
       "--features", options->features,
       "What meets first, of A and of B: `vertex V`, `edge V V` or `face F` of the file; nothing at t = 0");

@@ -141,10 +141,8 @@ void add_ray_command(CLI::App& app)
   options->models.add_to(*command);
   command->footer(
       "One line a ray: `face t`, or `-` where it meets none. The point is origin + t direction; t is the double "
-      "nearest "
-      "to the exact one: from 2^1024 - 2^970 on, half a step beyond the largest double, that is `inf`, as IEEE 754 "
-      "rounds. "
-      "Of faces met at once, the least number is first.\n"
+      "nearest to the exact one: from 2^1024 - 2^970 on, half a step beyond the largest double, that is `inf`, as IEEE "
+      "754 rounds. Of faces met at once, the least number is first.\n"
       "Example: tetracone ray house.poly rays.txt --all");
   command->callback([options] { run_ray(*options); });
 }

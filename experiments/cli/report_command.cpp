@@ -1,7 +1,7 @@
 #include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
-#include "experiments/peers/fcl_motion.h"
+#include "experiments/peers/fcl.h"
 #include "experiments/peers/peer.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/output_file.h"
@@ -151,10 +151,8 @@ void add_report_command(CLI::App& app)
   command->add_flag("--progress", options->progress,
                     "Print how far each database and the whole campaign are; exit status 1 while something is missing");
   command->add_option("--table", options->table, "Print this one table as CSV");
-  command
-      ->add_option("--out", options->out,
-                   "Folder of the results: OUT/report.html, and each table as OUT/tables/verify_NAME.csv")
-      ->capture_default_str();
+  add_default(*command, "--out", options->out,
+              "Folder of the results: OUT/report.html, and each table as OUT/tables/verify_NAME.csv");
   std::string footer = "Tables:";
   for (const auto& [name, what] : verify::tables())
     footer +=

@@ -1,3 +1,4 @@
+#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/support/model_file.h"
@@ -240,17 +241,16 @@ void add_scene_command(CLI::App& app)
       app.add_subcommand("scene", "Which of many bodies collide: a line `frame a b` for each pair of each frame");
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "Scene file, *.scene.json")->required();
-  command->add_option("--question", options->question, "solid or surface")->capture_default_str();
-  command->add_option("--kernel", options->kernel, kernel_names())->capture_default_str();
+  add_default(*command, "--question", options->question, "solid or surface");
+  add_default(*command, "--kernel", options->kernel, kernel_names());
   command->add_option(
       "--memory", options->memory,
       "Bytes that models and queries may take: models are given back, and read again when they are needed");
-  command->add_option("--threads", options->threads, "Threads that share the pairs of a frame; 0: all that there are")
-      ->capture_default_str();
-  command->add_option(
-      "--budget", options->budget,
-      "Nanoseconds for a frame: pairs not decided then are lines `frame a b undecided D`, with the bodies "
-      "at most D from one another");
+  add_default(*command, "--threads", options->threads,
+              "Threads that share the pairs of a frame; 0: all that there are");
+  command->add_option("--budget", options->budget,
+                      "Nanoseconds for a frame: pairs not decided then are lines `frame a b undecided D`, with the "
+                      "bodies at most D from one another");
   command->add_option(
       "--motion", options->motion,
       "linear: bodies move from each frame to the next, every point on a line, and what meets has a line `frame a b lo "
@@ -262,8 +262,8 @@ void add_scene_command(CLI::App& app)
                     "With --csv or --json: a row a frame, frame,pairs,ns,candidates,queries,nodes_made,bytes");
   options->models.add_to(*command);
   command->footer(
-      "A scene file is {\"models\": {\"cat\": \"cat.off\"}, \"bodies\": [{\"model\": \"cat\"}, ...], \"frames\": "
-      "[[[12 numbers], ...], ...]}, a pose a body and frame; or \"frames_file\": the same as little-endian doubles. "
+      "A scene file is {\"models\": {\"cat\": \"cat.off\"}, \"bodies\": [{\"model\": \"cat\"}, ...], \"frames\": [[[12 "
+      "numbers], ...], ...]}, a pose a body and frame; or \"frames_file\": the same as little-endian doubles. "
       "\"ignore\": [[a, b], ...] are pairs not asked for. Models' names are relative to the scene file.\n"
       "Example: tetracone scene bin.scene.json --threads 0 --csv pairs.csv");
   command->callback([options] { run(*options); });

@@ -1,3 +1,4 @@
+#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/support/motion_options.h"
@@ -121,21 +122,17 @@ void add_view_command(CLI::App& app)
   const auto options = std::make_shared<View_options>();
   Scene_names& names = options->names;
   command
-      ->add_option(
-          "A", names.a,
-          "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body; or a case file, *.case.json, or a scene file, "
-          "*.scene.json, that holds "
-          "all")
+      ->add_option("A", names.a,
+                   "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body; or a case file, *.case.json, or a scene "
+                   "file, *.scene.json, that holds all")
       ->required();
   command->add_option("B", names.b, "Model; without it A is shown alone");
   command->add_option("--out", options->out, "The page, FILE.html")->required();
   command->add_option("--question", options->question, "solid or surface; default: solid, or the case file's own");
-  command->add_option("--kernel", options->kernel, "Whose answers are compared with the exact ones: " + kernel_names())
-      ->capture_default_str();
-  command
-      ->add_option("--method", options->method,
-                   "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
-      ->capture_default_str();
+  add_default(*command, "--kernel", options->kernel,
+              "Whose answers are compared with the exact ones: " + kernel_names());
+  add_default(*command, "--method", options->method,
+              "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs");
   command->add_option("--rays", options->rays,
                       "Rays of one model, in its own coordinates: one a line, six decimals, origin and direction");
   names.add_options_to(*command);

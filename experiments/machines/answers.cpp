@@ -6,7 +6,6 @@
 #include <hwy/targets.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <exception>
 #include <filesystem>

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,7 +38,7 @@ class Talk {
   void tell(const std::string& lines)
   {
     if (!process_) {
-      process_ = std::make_unique<Command_process>(command_, Command_process::Errors::shown);
+      process_ = std::make_unique<Command_process>(in_shell(command_), Command_process::Errors::shown);
       starting_ = true;
     }
     if (!process_->send(lines, deadline())) complain("it does not read its input");

@@ -23,10 +23,10 @@ constexpr std::size_t longest_line = 65536;
 
 void on_child(int) {}
 
-/// The process between the program and the command: kills the command's process group when the command ends, or when
+/// The process between our program and the child: kills the child's process group when the child ends, or when
 /// the program does, whatever kills it: then nobody reads the pipe that is the guard's standard output. Between fork
 /// and here other threads may have held any lock: async-signal-safe calls alone.
-[[noreturn]] void guard(const char* command)
+[[noreturn]] void guard(char* const* words)
 {
   ::setpgid(0, 0);  // Ctrl-C is the program's
   sigset_t none, child_alone;
@@ -43,7 +43,7 @@ void on_child(int) {}
   if (child == 0) {
     ::setpgid(0, 0);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
-    ::execl("/bin/sh", "sh", "-c", command, nullptr);
+    ::execv(words[0], words);
     ::_exit(127);
   }
   ::setpgid(child, child);
@@ -60,7 +60,7 @@ void on_child(int) {}
 }
 
 /// In the child of a fork. A negative `errors` leaves standard error as it is.
-[[noreturn]] void become_guard(const char* command, int input, int output, int errors)
+[[noreturn]] void become_guard(char* const* words, int input, int output, int errors)
 {
   ::dup2(input, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
@@ -68,7 +68,7 @@ void on_child(int) {}
   ::closefrom(STDERR_FILENO + 1);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
-  guard(command);
+  guard(words);
 }
 
 int milliseconds_to(Command_process::Deadline deadline)
@@ -79,11 +79,14 @@ int milliseconds_to(Command_process::Deadline deadline)
 
 }  // namespace
 
-Command_process::Command_process(const std::string& command, Errors errors)
+Command_process::Command_process(const std::vector<std::string>& words, Errors errors)
 {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
   std::array<int, 2> in, out;
-  const auto refuse = [&command]() -> void {
-    throw std::runtime_error("no process can be started for '" + command + "': " + std::strerror(errno));
+  const auto refuse = [&words]() -> void {
+    throw std::runtime_error("no process can be started for '" + words.back() + "': " + std::strerror(errno));
   };
   if (::pipe2(in.data(), O_CLOEXEC) != 0) refuse();
   if (::pipe2(out.data(), O_CLOEXEC) != 0) {
@@ -99,7 +102,7 @@ Command_process::Command_process(const std::string& command, Errors errors)
   input_ = in[1];
   output_ = out[0];
   guard_ = ::_Fork();
-  if (guard_ == 0) become_guard(command.c_str(), in[0], out[1], errors_.child_end());
+  if (guard_ == 0) become_guard(arguments.data(), in[0], out[1], errors_.child_end());
   ::close(out[1]);
   errors_.close_child_end();
   if (guard_ < 0) {
@@ -148,6 +151,15 @@ std::optional<std::string> Command_process::line(Deadline deadline)
   std::string line = received_.substr(0, end);
   received_.erase(0, end == std::string::npos ? end : end + 1);
   return line;
+}
+
+std::optional<std::string> Command_process::bytes(std::size_t count, Deadline deadline)
+{
+  while (received_.size() < count)
+    if (!receive(deadline)) return std::nullopt;
+  std::string bytes = received_.substr(0, count);
+  received_.erase(0, count);
+  return bytes;
 }
 
 bool Command_process::receive(Deadline deadline)

@@ -6,13 +6,15 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tetracone::experiments {
 
-/// A command of the shell as a child that exchanges lines over pipes to its standard input and output. The destructor
-/// kills it and all processes that it started; so does the end of the program. Not thread-safe.
+/// A program as a child that exchanges lines or bytes over pipes to its standard input and output. The destructor kills
+/// it and all processes that it started; so does the end of our program. Not thread-safe.
 class Command_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;
@@ -20,9 +22,9 @@ class Command_process {
   /// The use of its standard error: its last line is kept, or all goes to the program's own.
   enum class Errors { kept, shown };
 
-  /// Throws std::runtime_error when no process can be started. If the shell does not find the program, the child ends
-  /// with status 127.
-  explicit Command_process(const std::string& command, Errors errors = Errors::kept);
+  /// Starts the program `words[0]` with these arguments. Throws std::runtime_error when no process can be started. If
+  /// there is no such program, the child ends with status 127.
+  explicit Command_process(const std::vector<std::string>& words, Errors errors = Errors::kept);
   ~Command_process();
   Command_process(const Command_process&) = delete;
   Command_process& operator=(const Command_process&) = delete;
@@ -33,6 +35,9 @@ class Command_process {
   /// Returns the next line of its output, without its end; nothing when the child ends or the deadline passes first. A
   /// line longer than 65,536 bytes is cut there.
   std::optional<std::string> line(Deadline deadline);
+
+  /// Returns the next bytes of its output; nothing as for `line`.
+  std::optional<std::string> bytes(std::size_t count, Deadline deadline);
 
   /// Returns the bytes received after the last line.
   const std::string& rest() const { return received_; }
@@ -57,6 +62,9 @@ class Command_process {
   std::string received_;
   Error_tail errors_;
 };
+
+/// Returns the words that run a command of the shell.
+inline std::vector<std::string> in_shell(const std::string& command) { return {"/bin/sh", "-c", command}; }
 
 }  // namespace tetracone::experiments
 

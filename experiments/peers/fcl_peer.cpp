@@ -1,36 +1,38 @@
-#include "experiments/peers/fcl_peer.h"
+#include "experiments/peers/fcl.h"
+#include "experiments/peers/scene_peer.h"
 
-#ifdef TETRACONE_WITH_FCL
-#include "experiments/peers/peer.h"
-
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/continuous_collision.h>
+#include <fcl/narrowphase/distance.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <stdexcept>
-#include <utility>
-#include <vector>
-#endif
 
 namespace tetracone::experiments {
-
-#ifdef TETRACONE_WITH_FCL
 namespace {
 
 template <class Volume>
-std::shared_ptr<fcl::BVHModel<Volume>> build(const Peer_mesh& mesh, double scale)
+using Model = std::shared_ptr<fcl::BVHModel<Volume>>;
+
+template <class Volume>
+Model<Volume> model_of(const Peer_mesh& mesh, double scale = 1)
 {
   std::vector<fcl::Vector3d> points;
   for (const auto& v : mesh.vertices) points.emplace_back(v[0] * scale, v[1] * scale, v[2] * scale);
   std::vector<fcl::Triangle> triangles;
   for (const auto& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
   auto model = std::make_shared<fcl::BVHModel<Volume>>();
-  model->beginModel(triangles.size(), points.size());
+  model->beginModel(int(triangles.size()), int(points.size()));
   model->addSubModel(points, triangles);
   model->endModel();
   return model;
 }
 
-fcl::Transform3d transform(const kernel::Pose& pose, double scale)
+fcl::Transform3d transform(const kernel::Pose& pose, double scale = 1)
 {
   fcl::Transform3d result = fcl::Transform3d::Identity();
   for (int i = 0; i < 3; ++i) {
@@ -44,30 +46,23 @@ template <class Volume>
 class Fcl_pair : public Prepared_pair {
  public:
   Fcl_pair(const Peer_mesh& a, const Peer_mesh& b, double scale_b)
-      : a_(build<Volume>(a, 1)), b_(build<Volume>(b, scale_b)), scale_b_(scale_b)
+      : a_(model_of<Volume>(a)), b_(model_of<Volume>(b, scale_b)), scale_b_(scale_b)
   {}
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
   {
     const fcl::CollisionRequestd request(1, false);
     fcl::CollisionResultd result;
-    return fcl::collide<double>(a_.get(), transform(pose_a, 1), b_.get(), transform(pose_b, scale_b_), request,
-                                result) > 0;
+    return fcl::collide<double>(a_.get(), transform(pose_a), b_.get(), transform(pose_b, scale_b_), request, result) >
+           0;
   }
 
   std::size_t bytes() const { return a_->memUsage(false) + b_->memUsage(false); }
 
  private:
-  std::shared_ptr<fcl::BVHModel<Volume>> a_, b_;
+  Model<Volume> a_, b_;
   double scale_b_;
 };
-
-Peer_mesh mesh_of(const covering::Polyhedron& polyhedron)
-{
-  auto mesh = peer_mesh(polyhedron);
-  if (!mesh) throw std::runtime_error("a face that cannot be triangulated for FCL");
-  return std::move(*mesh);
-}
 
 /// Says its bytes, which hold FCL's copy of the models too.
 class Fcl_pair_with_bytes : public Fcl_pair<fcl::OBBRSSd> {
@@ -77,30 +72,202 @@ class Fcl_pair_with_bytes : public Fcl_pair<fcl::OBBRSSd> {
   std::size_t tree_bytes() const override { return bytes(); }
 };
 
+Peer_mesh mesh_of(const covering::Polyhedron& polyhedron)
+{
+  auto mesh = peer_mesh(polyhedron);
+  if (!mesh) throw std::runtime_error("a face that cannot be triangulated for FCL");
+  return std::move(*mesh);
+}
+
+class Fcl_lister : public Fcl_contacts {
+ public:
+  Fcl_lister(const Peer_mesh& a, const Peer_mesh& b, bool with_points)
+      : a_(model_of<fcl::OBBRSSd>(a)),
+        b_(model_of<fcl::OBBRSSd>(b)),
+        request_(std::numeric_limits<int>::max(), with_points)
+  {}
+
+  std::size_t list(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    result_.clear();
+    return fcl::collide<double>(a_.get(), transform(pose_a), b_.get(), transform(pose_b), request_, result_);
+  }
+  std::vector<Pair> pairs() const override
+  {
+    std::vector<Pair> pairs;
+    for (std::size_t k = 0; k < result_.numContacts(); ++k)
+      pairs.push_back({covering::Index(result_.getContact(k).b1), covering::Index(result_.getContact(k).b2)});
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+ private:
+  Model<fcl::OBBRSSd> a_, b_;
+  fcl::CollisionRequestd request_;
+  fcl::CollisionResultd result_;
+};
+
+/// The triangles as they are: their numbers are told.
+Peer_mesh as_it_is(const covering::Polyhedron& triangles)
+{
+  Peer_mesh mesh{triangles.vertices, {}};
+  for (covering::Index f = 0; f < triangles.face_count(); ++f) {
+    const covering::Loop t = triangles.loop(f, 0);
+    mesh.triangles.push_back({t[0], t[1], t[2]});
+  }
+  return mesh;
+}
+
+template <class Volume>
+class Fcl_distance : public Distance_peer {
+ public:
+  Fcl_distance(const Peer_mesh& a, const Peer_mesh& b) : a_(model_of<Volume>(a)), b_(model_of<Volume>(b)) {}
+
+  double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    const fcl::DistanceRequestd request(false);
+    fcl::DistanceResultd result;
+    return fcl::distance<double>(a_.get(), transform(pose_a), b_.get(), transform(pose_b), request, result);
+  }
+
+ private:
+  Model<Volume> a_, b_;
+};
+
+class Fcl_motion : public Motion_peer {
+ public:
+  Fcl_motion(const Peer_mesh& a, const Peer_mesh& b, fcl::CCDSolverType solver)
+      : a_(model_of<fcl::OBBRSSd>(a)), b_(model_of<fcl::OBBRSSd>(b))
+  {
+    request_.ccd_solver_type = solver;
+  }
+
+  std::optional<double> first_contact(const kernel::Pose& from, const kernel::Pose& to) override
+  {
+    const fcl::Transform3d still = fcl::Transform3d::Identity();
+    fcl::ContinuousCollisionResultd result;
+    fcl::continuousCollide<double>(a_.get(), still, still, b_.get(), transform(from), transform(to), request_, result);
+    return result.is_collide ? std::optional(result.time_of_contact) : std::nullopt;
+  }
+
+ private:
+  Model<fcl::OBBRSSd> a_, b_;
+  fcl::ContinuousCollisionRequestd request_;
+};
+
+class Fcl_scene : public Scene_peer {
+ public:
+  Fcl_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
+  {
+    std::vector<Model<fcl::OBBRSSd>> models;
+    for (const Peer_mesh& mesh : meshes) {
+      models.push_back(model_of<fcl::OBBRSSd>(mesh));
+      models.back()->computeLocalAABB();
+    }
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      objects_.push_back(std::make_unique<fcl::CollisionObjectd>(models[of[k]]));
+      objects_.back()->setUserData(reinterpret_cast<void*>(k));
+      all_.push_back(objects_.back().get());
+    }
+  }
+
+  std::vector<Pair> frame(const std::vector<kernel::Pose>& poses) override
+  {
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      objects_[k]->setTransform(transform(poses[k]));
+      objects_[k]->computeAABB();
+    }
+    if (is_first_) {
+      manager_.registerObjects(all_);
+      manager_.setup();
+    } else {
+      manager_.update();
+    }
+    is_first_ = false;
+    candidates_ = 0;
+    found_.clear();
+    manager_.collide(this, [](fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* self) {
+      static_cast<Fcl_scene*>(self)->ask(a, b);
+      return false;
+    });
+    return found_;
+  }
+
+ private:
+  void ask(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b)
+  {
+    ++candidates_;
+    const fcl::CollisionRequestd request;
+    fcl::CollisionResultd result;
+    if (fcl::collide(a, b, request, result) == 0) return;
+    const auto number = [](const fcl::CollisionObjectd* o) {
+      return std::uint32_t(reinterpret_cast<std::size_t>(o->getUserData()));
+    };
+    found_.push_back({std::min(number(a), number(b)), std::max(number(a), number(b))});
+  }
+
+  std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
+  std::vector<fcl::CollisionObjectd*> all_;
+  fcl::DynamicAABBTreeCollisionManagerd manager_;
+  bool is_first_ = true;
+  std::vector<Pair> found_;
+};
+
 }  // namespace
 
 std::unique_ptr<Prepared_pair> prepare_fcl_obbrss(const Peer_mesh& a, const Peer_mesh& b)
 {
   return std::make_unique<Fcl_pair<fcl::OBBRSSd>>(a, b, 1);
 }
-
 std::unique_ptr<Prepared_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh& b)
 {
   return std::make_unique<Fcl_pair<fcl::AABBd>>(a, b, 1);
 }
-
 std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b)
 {
   return std::make_unique<Fcl_pair_with_bytes>(mesh_of(a), mesh_of(b), scale_b);
 }
 
-#else
-
-std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron&, const covering::Polyhedron&, double)
+std::unique_ptr<Fcl_contacts> prepare_fcl_contacts(const covering::Polyhedron& a, const covering::Polyhedron& b,
+                                                   bool with_points)
 {
-  return nullptr;
+  return std::make_unique<Fcl_lister>(as_it_is(a), as_it_is(b), with_points);
 }
 
-#endif
+std::unique_ptr<Distance_peer> fcl_obbrss_distance(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Fcl_distance<fcl::OBBRSSd>>(a, b);
+}
+std::unique_ptr<Distance_peer> fcl_rss_distance(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Fcl_distance<fcl::RSSd>>(a, b);
+}
+
+std::unique_ptr<Motion_peer> fcl_advancement(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Fcl_motion>(a, b, fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+}
+std::unique_ptr<Motion_peer> fcl_steps(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Fcl_motion>(a, b, fcl::CCDC_NAIVE);
+}
+
+std::span<const Named_motion_peer> motion_peers()
+{
+  static constexpr std::array all = {
+      Named_motion_peer{"FCL advancement",
+                        "continuousCollide of surfaces by conservative advancement, until within 1e-4 of the time; "
+                        "translations of B alone are asked",
+                        fcl_advancement},
+      Named_motion_peer{"FCL steps", "continuousCollide of surfaces by ten steps; translations of B alone are asked",
+                        fcl_steps}};
+  return all;
+}
+
+std::unique_ptr<Scene_peer> prepare_fcl_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
+{
+  return std::make_unique<Fcl_scene>(meshes, of);
+}
 
 }  // namespace tetracone::experiments

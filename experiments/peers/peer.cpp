@@ -1,5 +1,6 @@
 #include "experiments/peers/peer.h"
 
+#include "experiments/peers/scene_peer.h"
 #include "tetracone/covering/planarity.h"
 #include "tetracone/covering/repair/repair.h"
 
@@ -89,6 +90,21 @@ const std::vector<Peer>& peers()
        verify::Knows::both, prepare_cgal_epeck},
   };
   return all;
+}
+
+std::vector<Scene_library> scene_libraries()
+{
+  return {
+#ifdef TETRACONE_WITH_FCL
+      {"FCL dynamic AABB tree", prepare_fcl_scene},
+#endif
+#ifdef TETRACONE_WITH_BULLET
+      {"Bullet Dbvt and GImpact", prepare_bullet_scene},
+#endif
+#ifdef TETRACONE_WITH_ODE
+      {"ODE hash space", prepare_ode_scene},
+#endif
+  };
 }
 
 }  // namespace tetracone::experiments

@@ -1,13 +1,13 @@
 #include "experiments/peers/peer_worker.h"
 
-#include "experiments/peers/fcl_motion.h"
+#include "experiments/peers/fcl.h"
 #include "experiments/peers/peer.h"
 #include "experiments/peers/peer_wire.h"
 #include "verify/subjects/spent.h"
 
 #include <CLI/CLI.hpp>
 
-#include <poll.h>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -21,7 +21,6 @@
 #include <exception>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace tetracone::experiments {
@@ -62,12 +61,15 @@ class Input {
   std::size_t next_ = 0, end_ = 0;
 };
 
+/// The pipe to the program: our standard output, before it was closed to whatever libraries print.
+int answers = -1;
+
 template <class T>
 void answer(const T& value)
 {
   const char* next = reinterpret_cast<const char*>(&value);
   for (std::size_t left = sizeof value; left > 0;) {
-    const ssize_t put = ::write(STDIN_FILENO, next, left);  // a socket: both ways
+    const ssize_t put = ::write(answers, next, left);
     if (put < 0 && errno == EINTR) continue;
     if (put <= 0) throw Closed();
     next += put;
@@ -161,27 +163,13 @@ std::optional<Peer> find_peer(const std::string& name)
   return std::nullopt;
 }
 
-/// Dies with its parent even while a peer hangs: when the socket's other end goes. (A signal at the parent's death, by
-/// prctl, comes at the death of the thread that started us, and a campaign's threads come and go.)
-void die_with_parent()
-{
-  std::thread([] {
-    pollfd socket = {STDIN_FILENO, 0, 0};  // a hang-up is told unasked
-    while (::poll(&socket, 1, -1) <= 0) {
-    }
-    ::_exit(0);
-  }).detach();
-}
-
-/// Dies with its parent, not by a closed socket nor by the Ctrl-C that its parent handles; leaves no core, and takes no
-/// machine down.
+/// Prints nothing but answers, does not die by a closed pipe, and takes no machine down. What started it kills it.
 void behave_as_child()
 {
-  die_with_parent();
+  answers = ::dup(STDOUT_FILENO);
+  ::dup2(::open("/dev/null", O_WRONLY | O_CLOEXEC), STDOUT_FILENO);
   std::signal(SIGPIPE, SIG_IGN);
-  std::signal(SIGINT, SIG_IGN);
-  const rlimit no_core = {0, 0}, memory = {rlim_t{4} << 30, rlim_t{4} << 30};
-  ::setrlimit(RLIMIT_CORE, &no_core);
+  const rlimit memory = {rlim_t{4} << 30, rlim_t{4} << 30};
   ::setrlimit(RLIMIT_AS, &memory);
 }
 

@@ -1,16 +1,21 @@
 #include "experiments/peers/peers.h"
 
-#include "experiments/peers/fcl_motion.h"
+#include "experiments/peers/command_process.h"
+#include "experiments/peers/fcl.h"
 #include "experiments/peers/peer.h"
-#include "experiments/peers/peer_process.h"
 #include "experiments/peers/peer_wire.h"
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace tetracone::experiments {
@@ -24,17 +29,43 @@ using verify::Outcome;
 /// other cases of its family together.
 constexpr std::size_t most_faces = 30000;
 
+using Deadline = Command_process::Deadline;
+
+/// Starts `program peer-worker NAME`. Throws std::runtime_error when it cannot be started, or does not report within half
+/// a minute that it is ready.
+std::unique_ptr<Command_process> started(const std::string& program, const std::string& name)
+{
+  const auto refuse = [&](const std::string& why) -> void {
+    throw std::runtime_error("the peer '" + name + "' cannot be started as '" + program + " peer-worker': " + why);
+  };
+  if (::access(program.c_str(), X_OK) != 0) refuse(std::strerror(errno));
+  auto process = std::make_unique<Command_process>(std::vector<std::string>{program, "peer-worker", name});
+  const std::string ready(1, static_cast<char>(wire::Answer::ready));
+  if (process->bytes(1, std::chrono::steady_clock::now() + std::chrono::seconds(30)) != ready)
+    refuse("it is not ready");
+  return process;
+}
+
+std::optional<double> take_double(Command_process& process, Deadline deadline)
+{
+  const auto bytes = process.bytes(sizeof(double), deadline);
+  if (!bytes) return std::nullopt;
+  double value;
+  std::memcpy(&value, bytes->data(), sizeof value);
+  return value;
+}
+
 /// Asks, and takes what answers: the byte, and after `yes` and `no` the times. Without an answer by the deadline the
 /// process is ended, and `failure` says how.
-wire::Answer take_answer(std::unique_ptr<Peer_process>& process, const std::string& message,
-                         Peer_process::Deadline deadline, std::optional<verify::Spent>& spent, verify::Failure& failure)
+wire::Answer take_answer(std::unique_ptr<Command_process>& process, const std::string& message, Deadline deadline,
+                         std::optional<verify::Spent>& spent, verify::Failure& failure)
 {
-  const auto byte = process->ask(message, deadline);
-  const auto answer = static_cast<wire::Answer>(byte.value_or(static_cast<char>(wire::Answer::failed)));
+  const auto byte = process->send(message, deadline) ? process->bytes(1, deadline) : std::nullopt;
+  const auto answer = byte ? static_cast<wire::Answer>(byte->front()) : wire::Answer::failed;
   bool is_whole = byte.has_value();
   if (answer == wire::Answer::yes || answer == wire::Answer::no) {
-    const auto making = process->take_double(deadline);
-    const auto asking = making ? process->take_double(deadline) : std::nullopt;
+    const auto making = take_double(*process, deadline);
+    const auto asking = making ? take_double(*process, deadline) : std::nullopt;
     is_whole = asking.has_value();
     if (is_whole) spent = verify::Spent{std::uint64_t(*making), std::uint64_t(*asking)};
   }
@@ -42,7 +73,8 @@ wire::Answer take_answer(std::unique_ptr<Peer_process>& process, const std::stri
     failure = {"exception", ""};
     return answer;
   }
-  failure = {process->how_it_ended(), process->last_error()};
+  const auto status = process->end(std::chrono::steady_clock::now() + std::chrono::milliseconds(200));
+  failure = {status ? end_in_words(*status) : "silent", process->last_error()};
   process.reset();
   return wire::Answer::failed;
 }
@@ -62,7 +94,7 @@ class Running_peer : public verify::Running_subject {
     if (!is_rigid(c.pose_a) || !is_rigid(c.pose_b)) return Outcome::not_asked;
     if (c.a->face_count() > most_faces || c.b->face_count() > most_faces) return Outcome::not_asked;
     if (!process_) {
-      process_ = std::make_unique<Peer_process>(program_, name_);
+      process_ = started(program_, name_);
       a_ = b_ = nullptr;
     }
     message_.clear();
@@ -91,7 +123,7 @@ class Running_peer : public verify::Running_subject {
   std::string program_, name_;
   verify::Knows knows_;
   std::chrono::milliseconds limit_;
-  std::unique_ptr<Peer_process> process_;
+  std::unique_ptr<Command_process> process_;
   std::shared_ptr<const covering::Polyhedron> a_, b_;  // what the process has
   std::string message_;
   std::optional<verify::Spent> spent_;
@@ -111,7 +143,7 @@ class Running_motion_peer : public verify::Running_motion {
     if (question == kernel::Question::solid || bodies.motion_a[0] != bodies.motion_a[1] || !rest ||
         !rest->is_identity() || !from || !to)
       return {Outcome::not_asked};
-    if (!process_) process_ = std::make_unique<Peer_process>(program_, name_);
+    if (!process_) process_ = started(program_, name_);
     std::string message;
     wire::append(message, wire::Message::models);
     wire::append(message, bodies.a);
@@ -124,7 +156,7 @@ class Running_motion_peer : public verify::Running_motion {
     const wire::Answer answer = take_answer(process_, message, deadline, spent, failure);
     if (answer == wire::Answer::no) return {Outcome::no, {0, 0}, spent};
     if (answer == wire::Answer::not_taken) return {Outcome::not_asked};
-    const auto time = answer == wire::Answer::yes ? process_->take_double(deadline) : std::nullopt;
+    const auto time = answer == wire::Answer::yes ? take_double(*process_, deadline) : std::nullopt;
     if (!time) process_.reset();  // it is no longer known what the next byte means
     if (!time || !(*time >= 0 && *time <= 1)) return {Outcome::failed};
     return {Outcome::yes, {*time, *time}, spent};
@@ -147,7 +179,7 @@ class Running_motion_peer : public verify::Running_motion {
   }
 
   std::string program_, name_;
-  std::unique_ptr<Peer_process> process_;
+  std::unique_ptr<Command_process> process_;
 };
 
 verify::Object_subject subject(const std::string& program, const std::string& name, const std::string& note,

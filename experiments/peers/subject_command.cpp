@@ -30,7 +30,7 @@ class Running_command : public verify::Running_subject {
     const auto start = Clock::now();
     const bool is_new = !process_;
     if (is_new) {
-      process_ = std::make_unique<Command_process>(command_);
+      process_ = std::make_unique<Command_process>(in_shell(command_));
       announced_.clear();
     }
     const auto deadline = start + limit_ + (is_new ? start_ : Clock::duration::zero());
@@ -122,7 +122,7 @@ verify::Object_subject subject_command(const std::string& name, const std::strin
 
 void require_command(const std::string& command, std::chrono::milliseconds limit)
 {
-  Command_process process(command);
+  Command_process process(in_shell(command));
   const auto deadline = Clock::now() + longest_start + limit;
   const auto cube = verify::unit_cube();
   const std::string lines =

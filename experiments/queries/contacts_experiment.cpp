@@ -1,6 +1,6 @@
-#include "experiments/queries/contacts_experiment.h"
+#include "experiments/queries/experiments.h"
 
-#include "experiments/peers/fcl_contacts.h"
+#include "experiments/peers/fcl.h"
 #include "experiments/speed/benchmark_workload.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
@@ -100,18 +100,18 @@ void race(std::vector<Lister>& all, const std::vector<kernel::Pose>& poses, int 
 
 }  // namespace
 
-void run_contacts(const std::filesystem::path& out, const std::filesystem::path& models, int frames, std::uint64_t seed)
+void run_contacts(const Experiment_options& options)
 {
   constexpr int passes = 15;
-  make_folder(out);
-  Race_objects objects(models);
+  make_folder(options.out);
+  Race_objects objects(options.models);
   Csv_table table;
   std::printf("%-28s %-26s %6s %9s %10s %6s %8s %7s\n", "trajectory", "method", "poses", "pairs", "us a pose", "lost",
               "invented", "ratio");
   for (const std::string object : {"blob", "knot2"})
     for (const std::string trajectory : {"contour", "circular"}) {
-      const Race_course course =
-          on_trajectory(objects(object, 7172), object, trajectory, 1, frames, seed, trajectory == "circular" ? 8 : 1);
+      const Race_course course = on_trajectory(objects(object, 7172), object, trajectory, 1, options.race_frames,
+                                               options.seed, trajectory == "circular" ? 8 : 1);
       Query query(Body(course.a), Body(course.b), Question::surface);
       std::vector<kernel::Pose> hits;
       for (const kernel::Pose& pose : course.poses_b)
@@ -133,12 +133,12 @@ void run_contacts(const std::filesystem::path& out, const std::filesystem::path&
                       .add_exact("ratio", ratio)
                       .add("lost", each.lost)
                       .add("invented", each.invented)
-                      .add_origin(seed));
+                      .add_origin(options.seed));
         std::printf("%-28s %-26s %6zu %9zu %10.1f %6zu %8zu %7.2f\n", (course.scenario + " " + object).c_str(),
                     each.name.c_str(), hits.size(), each.pair_count, us, each.lost, each.invented, ratio);
       }
     }
-  write_whole(out / "contacts.csv", table.text());
+  write_whole(options.out / "contacts.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -1,6 +1,6 @@
-#include "experiments/queries/distance_experiment.h"
+#include "experiments/queries/experiments.h"
 
-#include "experiments/peers/fcl_distance.h"
+#include "experiments/peers/fcl.h"
 #include "experiments/speed/trajectory.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
@@ -10,7 +10,6 @@
 #include "verify/cases/shape_generators.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -161,12 +160,14 @@ Distance_course gaps(int frames, std::uint64_t seed)
 
 }  // namespace
 
-void run_distance(const std::filesystem::path& out, int frames, bool full, std::uint64_t seed)
+void run_distance(const Experiment_options& options)
 {
-  make_folder(out);
+  const int frames = options.race_frames;
+  const std::uint64_t seed = options.seed;
+  make_folder(options.out);
   Csv_table table;
   std::vector<std::size_t> sizes = {7172};
-  if (full) sizes.push_back(71000);
+  if (options.full) sizes.push_back(71000);
   for (const std::size_t triangles : sizes) {
     const covering::Polyhedron object = verify::blob(triangles, seed);
     const Body body(object);
@@ -179,7 +180,7 @@ void run_distance(const std::filesystem::path& out, int frames, bool full, std::
                seed);
   }
   run_course(table, gaps(frames, seed), 3, seed);
-  write_whole(out / "distance.csv", table.text());
+  write_whole(options.out / "distance.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

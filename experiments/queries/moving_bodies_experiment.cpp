@@ -1,6 +1,6 @@
-#include "experiments/queries/moving_bodies_experiment.h"
+#include "experiments/queries/experiments.h"
 
-#include "experiments/peers/fcl_motion.h"
+#include "experiments/peers/fcl.h"
 #include "experiments/speed/trajectory.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -261,9 +260,11 @@ void run_landings(const std::filesystem::path& out, std::uint64_t seed)
 
 }  // namespace
 
-void run_moving_bodies(const std::filesystem::path& out, int motions, std::uint64_t seed)
+void run_moving_bodies(const Experiment_options& options)
 {
-  make_folder(out);
+  const int motions = options.race_frames;
+  const std::uint64_t seed = options.seed;
+  make_folder(options.out);
   Csv_table table;
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body body(object);
@@ -277,8 +278,8 @@ void run_moving_bodies(const std::filesystem::path& out, int motions, std::uint6
   for (auto& v : small.vertices)
     for (double& x : v) x *= 0.125;
   run_course(table, throws("plate", triangulated(verify::box({-2, -2, 0}, {2, 2, 0.001})), small, motions, seed), seed);
-  write_whole(out / "moving_bodies.csv", table.text());
-  run_landings(out, seed);
+  write_whole(options.out / "moving_bodies.csv", table.text());
+  run_landings(options.out, seed);
 }
 
 }  // namespace tetracone::experiments

@@ -1,4 +1,4 @@
-#include "experiments/queries/points_experiment.h"
+#include "experiments/queries/experiments.h"
 
 #include "experiments/queries/points_truth.h"
 #include "experiments/speed/benchmark_workload.h"
@@ -299,15 +299,16 @@ std::vector<long> first_faces(const covering::Polyhedron& mesh, const std::strin
 
 }  // namespace
 
-void run_points(const std::filesystem::path& out, const std::vector<std::filesystem::path>& models, int count,
-                std::uint64_t seed)
+void run_points(const Experiment_options& options)
 {
-  make_folder(out);
+  const int count = options.full ? 20 * options.points : options.points;
+  const std::uint64_t seed = options.seed;
+  make_folder(options.out);
   std::vector<std::pair<std::string, covering::Polyhedron>> bodies;
   Race_objects objects("");
   for (const std::size_t triangles : {std::size_t(7000), std::size_t(70000)})
     for (const std::string name : {"blob", "knot"}) bodies.emplace_back(name, objects(name, triangles));
-  for (const auto& model : models) {
+  for (const auto& model : options.meshes) {
     covering::Polyhedron mesh = load_model(model.native(), {}, true).polyhedron();
     for (covering::Index f = 0; f < mesh.face_count(); ++f)
       if (!mesh.is_triangle(f))
@@ -316,7 +317,7 @@ void run_points(const std::filesystem::path& out, const std::vector<std::filesys
   }
   Csv_table table;
   for (const auto& [name, mesh] : bodies) {
-    const std::string file = out / "points_body.off";
+    const std::string file = options.out / "points_body.off";
     write_whole(file, covering::write_off(mesh));
     verify::Random random(seed);
     const Column_truth truth(mesh);
@@ -334,7 +335,7 @@ void run_points(const std::filesystem::path& out, const std::vector<std::filesys
     race({name, "rays", mesh.face_count(), first_faces(mesh, file, rays), seed}, for_rays(file, rays), of_rays, table);
     std::filesystem::remove(file);
   }
-  write_whole(out / "points.csv", table.text());
+  write_whole(options.out / "points.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -4,7 +4,7 @@ wrong answers."""
 import html
 import os
 
-from race_table import OURS, fitness, is_near, ratio
+from race_data import OURS, fitness, is_near, ratio
 from report_data import by, distinct, geometric_mean, interval, read, share, times
 from report_page import Source, again
 

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -63,11 +62,11 @@ Json path_data(const Tree& tree)
 
 }  // namespace
 
-void run_method_figures(const std::filesystem::path& out, const std::filesystem::path& model)
+void run_method_figures(const Experiment_options& options)
 {
-  Model_file body =
-      model.empty() ? whole_model("generated", verify::blob(760, 1)) : load_model(model.native(), {}, true);
-  make_folder(out);
+  Model_file body = options.model.empty() ? whole_model("generated", verify::blob(760, 1))
+                                          : load_model(options.model.native(), {}, true);
+  make_folder(options.out);
   const Tree tree(body.polyhedron(), tetratree::Config());
 
   View_scene pair, faces;
@@ -78,8 +77,8 @@ void run_method_figures(const std::filesystem::path& out, const std::filesystem:
   const Json data = {{"pair", Json::parse(view_data(pair, "adaptive", verify::Method::tree))},
                      {"path", path_data(tree)},
                      {"faces", Json::parse(view_data(faces, "adaptive", verify::Method::tree))}};
-  write_whole(out / "method.json", data.dump() + "\n");
-  draw("method_figures.py", out);
+  write_whole(options.out / "method.json", data.dump() + "\n");
+  draw("draw_method.py", options.out);
 }
 
 }  // namespace tetracone::experiments

@@ -22,10 +22,10 @@ import figures_signs
 import figures_speed
 import figures_stability
 import figures_stages
-import price_table
 import report_methods
-import table_bounds
-import table_motion
+import tables_bounds
+import tables_motion
+import tables_price
 import tables_queries
 from campaign_data import Campaign
 from report_page import Page
@@ -33,8 +33,8 @@ from report_style import set_style
 from study_data import Study
 
 
-MODULES = (figures_speed, price_table, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages, figures_peers, tables_queries,
-           figures_scenes, figures_need, table_bounds, table_motion, figures_motion)
+MODULES = (figures_speed, tables_price, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages, figures_peers, tables_queries,
+           figures_scenes, figures_need, tables_bounds, tables_motion, figures_motion)
 
 
 def chart(page, study, campaign):

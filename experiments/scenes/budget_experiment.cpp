@@ -1,4 +1,4 @@
-#include "experiments/scenes/budget_experiment.h"
+#include "experiments/scenes/experiments.h"
 
 #include "experiments/scenes/scene_workload.h"
 #include "experiments/support/csv_row.h"
@@ -94,10 +94,11 @@ double size_of(const std::vector<Body>& bodies)
 
 }  // namespace
 
-void run_budget(const std::filesystem::path& out, std::size_t frames, std::uint64_t seed)
+void run_budget(const Experiment_options& options)
 {
-  make_folder(out);
-  const Scene_workload work = scene_workload("brownian", "blob", 1000, frames, seed);
+  const auto frames = std::size_t(std::max(2, options.race_frames / 20));
+  make_folder(options.out);
+  const Scene_workload work = scene_workload("brownian", "blob", 1000, frames, options.seed);
   std::vector<Body> bodies;
   for (const auto& model : work.models) bodies.emplace_back(model).make_all();
   play(work, bodies, true, {}, nullptr);  // a first time is longer, by what the system gives memory for
@@ -130,14 +131,14 @@ void run_budget(const std::filesystem::path& out, std::size_t frames, std::uint6
                     .add("wrong", played.wrong)
                     .add("farther_than_said", played.farther)
                     .add("mean_farthest_in_sizes", farthest)
-                    .add_origin(seed));
+                    .add_origin(options.seed));
       std::printf("%-8s %10.0f %11.3f %9.0f %8.1f%% %10zu %6zu %8zu %9.2f\n", kind, double(budget.count()) / 1000,
                   of_a_frame, median(played.ns) / 1000, 100 * share, played.undecided, played.wrong, played.farther,
                   farthest);
       std::fflush(stdout);
     }
   }
-  write_whole(out / "budget.csv", table.text());
+  write_whole(options.out / "budget.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -1,4 +1,4 @@
-#include "experiments/scenes/coherence_experiment.h"
+#include "experiments/scenes/experiments.h"
 
 #include "experiments/speed/trajectory.h"
 #include "experiments/support/csv_row.h"
@@ -8,7 +8,6 @@
 #include "verify/cases/shape_generators.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -89,17 +88,19 @@ void add_walk(Csv_table& table, const Body& body, std::size_t triangles, const W
                 .add("box_tests_with", tests(with))
                 .add_origin(seed));
   std::printf(
-      "1:%-2.0f  clearance %7.3f %%  motion %7.4f %%  %-7s  %7.0f ns  %7.0f ns  %5.2f times  %4.0f %4.0f boxes  "
-      "%ld of %zu collide, %zu differ\n",
+      "1:%-2.0f  clearance %7.3f %%  motion %7.4f %%  %-7s  %7.0f ns  %7.0f ns  %5.2f times  %4.0f %4.0f boxes  %ld of "
+      "%zu collide, %zu differ\n",
       walk.ratio, 100 * walk.clearance, 100 * walk.motion, std::string(to_string(question)).c_str(), without.mean_ns(),
       with.mean_ns(), saved, tests(without), tests(with), long(hits), walk.poses.size(), differ);
 }
 
 }  // namespace
 
-void run_coherence(const std::filesystem::path& out, int frames, std::uint64_t seed)
+void run_coherence(const Experiment_options& options)
 {
-  make_folder(out);
+  const int frames = options.race_frames;
+  const std::uint64_t seed = options.seed;
+  make_folder(options.out);
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body body(object);
   body.make_all();
@@ -116,7 +117,7 @@ void run_coherence(const std::filesystem::path& out, int frames, std::uint64_t s
       for (const Question question : {Question::surface, Question::solid})
         add_walk(table, body, object.face_count(), walk, question, seed);
     }
-  write_whole(out / "coherence.csv", table.text());
+  write_whole(options.out / "coherence.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

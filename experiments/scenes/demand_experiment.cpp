@@ -1,4 +1,4 @@
-#include "experiments/scenes/demand_experiment.h"
+#include "experiments/scenes/experiments.h"
 
 #include "experiments/scenes/scene_workload.h"
 #include "experiments/support/csv_row.h"
@@ -72,10 +72,11 @@ double share(std::size_t part, std::size_t whole) { return 100 * double(part) / 
 
 }  // namespace
 
-void run_demand(const std::filesystem::path& out, std::size_t frames, std::uint64_t seed)
+void run_demand(const Experiment_options& options)
 {
-  make_folder(out);
-  const Scene_workload work = scene_workload("gravity", "large", 200, frames, seed);
+  const auto frames = std::size_t(std::max(2, options.race_frames / 10));
+  make_folder(options.out);
+  const Scene_workload work = scene_workload("gravity", "large", 200, frames, options.seed);
   Timed_scene asked(work), first(work);
   first.make_all();
   const Trees all(first.bodies);
@@ -109,7 +110,7 @@ void run_demand(const std::filesystem::path& out, std::size_t frames, std::uint6
                   .add("signs_beyond_doubles", signs_beyond)
                   .add("ns", std::uint64_t(asked.ns))
                   .add("ns_made_first", std::uint64_t(first.ns))
-                  .add_origin(seed));
+                  .add_origin(options.seed));
     if (frame % 10 == 0 || frame + 1 == frames)
       std::printf("%6zu %7zu %6zu %8.2f%% %8.2f%% %8.2f%% %10lu %10lu %9.1f %9.1f\n", frame, pairs.size(), made.count,
                   share(made.nodes, all.nodes), share(made.bytes, all.bytes),
@@ -117,7 +118,7 @@ void run_demand(const std::filesystem::path& out, std::size_t frames, std::uint6
                   asked.ns / 1e6, first.ns / 1e6);
   }
   std::fflush(stdout);
-  write_whole(out / "demand.csv", table.text());
+  write_whole(options.out / "demand.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

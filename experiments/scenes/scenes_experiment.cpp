@@ -1,4 +1,4 @@
-#include "experiments/scenes/scenes_experiment.h"
+#include "experiments/scenes/experiments.h"
 
 #include "experiments/peers/scene_peer.h"
 #include "experiments/scenes/scene_workload.h"
@@ -237,29 +237,30 @@ void run_scene(const Scene_workload& work, Csv_table& table, std::uint64_t seed)
 
 }  // namespace
 
-void run_scenes(const std::filesystem::path& out, std::size_t frames, bool full, std::uint64_t seed)
+void run_scenes(const Experiment_options& options)
 {
-  make_folder(out);
+  const auto frames = std::size_t(std::max(2, options.race_frames / 20));
+  make_folder(options.out);
   Csv_table table;
   std::printf("%-9s %-7s %7s %-26s %11s %11s %9s %10s %8s %6s %8s\n", "scene", "model", "bodies", "method",
               "us a frame", "first us", "ratio", "candidates", "pairs", "lost", "invented");
   const auto run = [&](const char* kind, const char* model, std::size_t bodies) {
     const std::size_t of_these = bodies <= 10000 ? frames : std::min(frames, frames_of_many);
-    run_scene(scene_workload(kind, model, bodies, of_these, seed), table, seed);
-    write_whole(out / "scenes.csv", table.text());
+    run_scene(scene_workload(kind, model, bodies, of_these, options.seed), table, options.seed);
+    write_whole(options.out / "scenes.csv", table.text());
   };
   for (const char* kind : {"brownian", "fall", "gravity", "resting"}) {
     run(kind, "convex", 1000);
     run(kind, "blob", 1000);
     run(kind, "convex", 10000);
-    if (full) {
+    if (options.full) {
       run(kind, "large", 1000);
       run(kind, "blob", 10000);
       run(kind, "convex", 100000);
     }
   }
   for (const std::size_t bodies : {1000, 10000, 100000})
-    if (bodies <= 10000 || full) run("thin", "", bodies);
+    if (bodies <= 10000 || options.full) run("thin", "", bodies);
 }
 
 }  // namespace tetracone::experiments

@@ -1,5 +1,6 @@
-#include "experiments/speed/ablation_experiment.h"
+#include "experiments/speed/experiments.h"
 
+#include "experiments/speed/race_rows.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/resumable_csv.h"
 
@@ -26,7 +27,7 @@ Config changed(Config config, Change change)
   return config;
 }
 
-/// The table `ablation_figure.py` recognises the names by their first word.
+/// The table `draw_ablation.py` recognises the names by their first word.
 std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
 {
   const Config as_published, tuned = changed(as_published, [](Config&c) { c.regular_hull = false; });
@@ -106,7 +107,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
 
 }  // namespace
 
-void run_ablation(const Race_options& options)
+void run_ablation(const Experiment_options& options)
 {
   constexpr int passes = 5;
   const auto objects = std::make_shared<Race_objects>(options.models);
@@ -121,15 +122,15 @@ void run_ablation(const Race_options& options)
         const std::uint64_t seed = options.seed + 1000 * parts.size();
         const std::size_t one_in = large && !options.full ? 20 : 1;
         const double seconds = large ? 0.1 : 0.2;
-        parts.push_back({trajectory + "-" + name + "-" + std::to_string(triangles), [=, triangles = triangles] {
-                           const Race_course course =
-                               on_trajectory((*objects)(name, triangles), name, trajectory, 1, options.frames, seed);
-                           return race_rows(course, contestants(course.a.face_count(), one_in), false, passes, seconds,
-                                            options);
-                         }});
+        parts.push_back(
+            {trajectory + "-" + name + "-" + std::to_string(triangles), [=, triangles = triangles] {
+               const Race_course course =
+                   on_trajectory((*objects)(name, triangles), name, trajectory, 1, options.race_frames, seed);
+               return race_rows(course, contestants(course.a.face_count(), one_in), false, passes, seconds, options);
+             }});
       }
   write_table(options.out, "ablation", parts);
-  draw("ablation_figure.py", options.out);
+  draw("draw_ablation.py", options.out);
 }
 
 }  // namespace tetracone::experiments

@@ -8,8 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace tetracone::experiments {
 

@@ -10,7 +10,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 /// The contestants of the experiments of speed, with one interface: our methods without the harness's wrapping, and the
 /// peers in this process.

@@ -1,5 +1,6 @@
-#include "experiments/speed/paper_experiment.h"
+#include "experiments/speed/experiments.h"
 
+#include "experiments/speed/race_rows.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/resumable_csv.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using tetratree::Config;
 
-/// The table `paper_figure.py` recognises the names by their first word.
+/// The table `draw_paper.py` recognises the names by their first word.
 std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in, Turning turning)
 {
   std::vector<Contestant> list = {fast(), peer("FCL OBBRSS")};
@@ -49,7 +50,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in, T
 
 }  // namespace
 
-void run_paper(const Race_options& options)
+void run_paper(const Experiment_options& options)
 {
   constexpr int passes = 3;
   constexpr double seconds = 0.1;
@@ -66,13 +67,13 @@ void run_paper(const Race_options& options)
           const std::size_t one_in = triangles > 2000 && !options.full ? 10 : 1;
           parts.push_back({part, [=, name = name, triangles = triangles] {
                              const Race_course course = on_trajectory((*objects)(name, triangles), name, trajectory,
-                                                                      ratio, options.frames, seed, 1, turning);
+                                                                      ratio, options.race_frames, seed, 1, turning);
                              return race_rows(course, contestants(triangles, one_in, turning), false, passes, seconds,
                                               options);
                            }});
         }
   write_table(options.out, "paper", parts);
-  draw("paper_figure.py", options.out);
+  draw("draw_paper.py", options.out);
 }
 
 }  // namespace tetracone::experiments

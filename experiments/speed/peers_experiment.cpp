@@ -1,5 +1,6 @@
-#include "experiments/speed/peers_experiment.h"
+#include "experiments/speed/experiments.h"
 
+#include "experiments/speed/race_rows.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/resumable_csv.h"
 
@@ -34,7 +35,7 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
 
 }  // namespace
 
-void run_peers(const Race_options& options)
+void run_peers(const Experiment_options& options)
 {
   constexpr int passes = 200;
   constexpr double seconds = 0.3;
@@ -59,18 +60,18 @@ void run_peers(const Race_options& options)
           const std::string part =
               trajectory + "-" + name + "-" + std::to_string(triangles) + "-" + std::to_string(ratio);
           const std::uint64_t seed = options.seed + 1000 * parts.size();
-          add(part, [=, frames = options.frames, triangles = triangles] {
+          add(part, [=, frames = options.race_frames, triangles = triangles] {
             return on_trajectory((*objects)(name, triangles), name, trajectory, ratio, frames, seed,
                                  trajectory == "circular" ? circles : 1);
           });
         }
-  const int frames = options.frames, fewer = std::max(1, options.frames / 10);
+  const int frames = options.race_frames, fewer = std::max(1, options.race_frames / 10);
   add("stacked-boxes", [=, seed = options.seed] { return stacked_boxes(frames, seed); });
   add("face-on-face", [=, seed = options.seed] { return face_on_face(16, frames, seed); });
   add("one-ulp-apart", [=, seed = options.seed] { return sliding_apart(16, fewer, seed); });
   add("shell-in-shell", [=, seed = options.seed] { return shell_in_shell(7172, fewer, seed); });
   write_table(options.out, "peers", parts);
-  draw("peers_figure.py", options.out);
+  draw("draw_peers.py", options.out);
 }
 
 }  // namespace tetracone::experiments

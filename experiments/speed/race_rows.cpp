@@ -116,7 +116,7 @@ Csv_row row(const Race_course& course, Question question, const Prepared_contest
 }  // namespace
 
 std::string race_rows(const Race_course& course, const std::vector<Contestant>& contestants, bool solid, int passes,
-                      double seconds, const Race_options& options)
+                      double seconds, const Experiment_options& options)
 {
   const Course_truth truth = kept_course_truth(course, options.out / "truth");
   Race race(course, truth, contestants);

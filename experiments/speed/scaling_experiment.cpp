@@ -1,5 +1,6 @@
-#include "experiments/speed/scaling_experiment.h"
+#include "experiments/speed/experiments.h"
 
+#include "experiments/speed/race_rows.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/resumable_csv.h"
 
@@ -17,7 +18,7 @@ std::vector<Contestant> contestants(std::size_t triangles)
 
 }  // namespace
 
-void run_scaling(const Race_options& options)
+void run_scaling(const Experiment_options& options)
 {
   constexpr int passes = 5;
   constexpr double seconds = 0.3;
@@ -31,12 +32,12 @@ void run_scaling(const Race_options& options)
       for (const std::size_t triangles : sizes)
         parts.push_back({trajectory + "-" + name + "-" + std::to_string(triangles), [=] {
                            Race_course course = on_trajectory((*objects)(name, of_poses), name, trajectory, 1,
-                                                              options.frames, options.seed);
+                                                              options.race_frames, options.seed);
                            course.a = course.b = (*objects)(name, triangles);
                            return race_rows(course, contestants(triangles), false, passes, seconds, options);
                          }});
   write_table(options.out, "scaling", parts);
-  draw("scaling_figure.py", options.out);
+  draw("draw_scaling.py", options.out);
 }
 
 }  // namespace tetracone::experiments

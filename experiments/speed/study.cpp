@@ -1,10 +1,11 @@
-#include "experiments/speed/study.h"
+#include "experiments/speed/experiments.h"
 
-#include "experiments/peers/fcl_peer.h"
+#include "experiments/peers/fcl.h"
 #include "experiments/speed/contestant.h"
 #include "experiments/speed/timed_poses.h"
 #include "experiments/speed/workloads.h"
 #include "experiments/support/csv_row.h"
+#include "experiments/support/draw.h"
 #include "experiments/support/resumable_csv.h"
 #include "experiments/support/stopwatch.h"
 #include "verify/subjects/subject.h"
@@ -184,13 +185,16 @@ std::string study_workload(const Workload& workload, std::uint64_t seed)
 
 }  // namespace
 
-void run_study(const Study_options& options)
+void run_study(const Experiment_options& options)
 {
+  const int more = options.full ? 20 : 1;
   std::vector<Table_part> parts;
-  for (Named_workload& workload : study_workloads(options.models, options.frames, options.rotations, options.seed))
+  for (Named_workload& workload :
+       study_workloads(options.models, more * options.frames, more * options.rotations, options.seed))
     parts.push_back({std::move(workload.name),
                      [make = std::move(workload.make), seed = options.seed] { return study_workload(make(), seed); }});
   write_table(options.out, "study", parts);
+  if (!options.rows_alone) draw("report.py", options.out);
 }
 
 }  // namespace tetracone::experiments

@@ -1,4 +1,4 @@
-#include "experiments/speed/threads_experiment.h"
+#include "experiments/speed/experiments.h"
 
 #include "experiments/speed/trajectory.h"
 #include "experiments/support/csv_row.h"
@@ -66,14 +66,15 @@ double making(const covering::Polyhedron& object, int count)
 
 }  // namespace
 
-void run_threads(const std::filesystem::path& out, int frames, std::uint64_t seed)
+void run_threads(const Experiment_options& options)
 {
-  make_folder(out);
+  const std::uint64_t seed = options.seed;
+  make_folder(options.out);
   const int processors = int(std::max(1u, std::thread::hardware_concurrency()));
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body reference(object);
   Query of_reference(reference, reference, Question::surface);
-  const auto poses = contour_trajectory(object, object, 1, frames, seed, [&](const kernel::Pose& pose) {
+  const auto poses = contour_trajectory(object, object, 1, options.race_frames, seed, [&](const kernel::Pose& pose) {
     return bool(of_reference.collide(kernel::Pose(), pose));
   });
   Csv_table table;
@@ -122,7 +123,7 @@ void run_threads(const std::filesystem::path& out, int frames, std::uint64_t see
       std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, "making", now, alone / now);
     }
   }
-  write_whole(out / "threads.csv", table.text());
+  write_whole(options.out / "threads.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 namespace tetracone::experiments {
 

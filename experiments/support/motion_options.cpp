@@ -10,7 +10,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -96,10 +95,9 @@ std::vector<Rigid_pose_line> read_rigid(const std::string& file)
 
 void Motion_names::add_options_to(CLI::App& command)
 {
-  command.add_option(
-      "--pose-a0", poses[0],
-      "Poses of A at t = 0, as the poses of collide; with --motion rigid also 7 numbers, a quaternion w x y z and a "
-      "translation; '-': standard input; default: the identity");
+  command.add_option("--pose-a0", poses[0],
+                     "Poses of A at t = 0, as the poses of collide; with --motion rigid also 7 numbers, a quaternion w "
+                     "x y z and a translation; '-': standard input; default: the identity");
   command.add_option("--pose-a1", poses[1], "Poses of A at t = 1; one pose in a file serves all of the others");
   command.add_option("--pose-b0", poses[2], "Poses of B at t = 0");
   command.add_option("--pose-b1", poses[3], "Poses of B at t = 1");

@@ -14,10 +14,9 @@ using kernel::Pose;
 
 void Scene_names::add_options_to(CLI::App& command)
 {
-  command.add_option(
-      "--pose-a", poses_a,
-      "Poses of A: a line each, 12 numbers, row-major 3x4, or 16 or four lines of four, 4x4; decimals or "
-      "fractions n/d, blanks or commas between them; '-': standard input");
+  command.add_option("--pose-a", poses_a,
+                     "Poses of A: a line each, 12 numbers, row-major 3x4, or 16 or four lines of four, 4x4; decimals "
+                     "or fractions n/d, blanks or commas between them; '-': standard input");
   command.add_option("--pose-b", poses_b, "Poses of B; one pose in either file serves all of the other");
   models.add_to(command);
 }

@@ -23,7 +23,6 @@
 #include <optional>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

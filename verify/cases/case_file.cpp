@@ -6,7 +6,6 @@
 #include "verify/cases/json_field.h"
 #include "verify/cases/json_pose.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

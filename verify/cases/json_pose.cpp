@@ -3,7 +3,6 @@
 #include "tetracone/kernel/number/number.h"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace tetracone::verify {

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 /// Exact contacts and their placing, from which the object families are made. The compiler chooses the order in which
 /// arguments of one call are evaluated. Therefore at most one of them draws from `random`, here and in the families, so

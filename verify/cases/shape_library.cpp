@@ -5,7 +5,6 @@
 #include "verify/cases/tetrahedron.h"
 
 #include <algorithm>
-#include <cassert>
 #include <filesystem>
 #include <map>
 #include <mutex>

@@ -3,7 +3,6 @@
 #include "verify/predicate_families/predicate_points.h"
 
 #include <cmath>
-#include <utility>
 
 namespace tetracone::verify::predicate_family {
 

@@ -7,7 +7,6 @@
 #include "verify/cases/random.h"
 
 #include <array>
-#include <cassert>
 #include <cstddef>
 #include <optional>
 

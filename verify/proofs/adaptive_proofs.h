@@ -2,13 +2,8 @@
 #define TETRACONE_VERIFY_PROOFS_ADAPTIVE_PROOFS_H
 
 #include "tetracone/kernel/number/pose.h"
-#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/adaptive_bounds.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
-
-#include <array>
+#include "verify/proofs/proof.h"
 
 /// The constants of kernel/predicate/adaptive_bounds.h and of `Pose::determinant_sign`.
 namespace tetracone::verify::proofs {

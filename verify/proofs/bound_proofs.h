@@ -4,10 +4,7 @@
 #include "tetracone/kernel/bound/bounds.h"
 #include "tetracone/kernel/bound/cone_coordinates.h"
 #include "verify/proofs/adaptive_proofs.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/range_number.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
+#include "verify/proofs/proof.h"
 
 /// The constants of kernel/bound/bounds.h and cone_coordinates.h, of sound tests in double.
 namespace tetracone::verify::proofs {

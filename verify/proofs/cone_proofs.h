@@ -4,15 +4,9 @@
 #include "tetracone/kernel/bound/cone_cells.h"
 #include "tetracone/kernel/bound/cone_probe.h"
 #include "tetracone/kernel/bound/cone_slab.h"
-#include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8_elements.h"
-#include "verify/proofs/proved_bound.h"
+#include "verify/proofs/proof.h"
 #include "verify/proofs/rounded_error.h"
-#include "verify/proofs/rounding_count.h"
-
-#include <algorithm>
-#include <array>
-#include <string>
 
 /// The constants by which the point locator's cells, slabs and probes discard: kernel/bound/cone_cells.h, cone_slab.h
 /// and cone_probe.h.

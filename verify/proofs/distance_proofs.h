@@ -4,17 +4,8 @@
 #include "tetracone/kernel/bound/cone_cells.h"
 #include "tetracone/kernel/bound/triangle_distance.h"
 #include "tetracone/kernel/number/double_double_ball.h"
-#include "tetracone/kernel/number/products.h"
 #include "verify/proofs/adaptive_proofs.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/range_number.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
+#include "verify/proofs/proof.h"
 
 /// The constants of kernel/bound/triangle_distance.h, of balls of double-double, and of the signs by which the point
 /// locator's cones decide.
@@ -61,11 +52,6 @@ inline Proved_bounds distance_proofs()
   using Count = Rounding_count;
   const double u = kernel::unit_roundoff<double>;
   const Rational up = 1 + Rational(u), down = 1 - Rational(u);
-  const auto power = [](const Rational& x, int n) {
-    Rational result = 1;
-    for (int k = 0; k < n; ++k) result *= x;
-    return result;
-  };
   Proved_bounds bounds;
   const std::string of_triangles = "kernel/bound/triangle_distance.h", of_cones = "kernel/bound/cone_cells.h";
 

@@ -6,9 +6,7 @@
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/compensated.h"
 #include "verify/proofs/lanes.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
+#include "verify/proofs/proof.h"
 
 /// The constants of kernel/bound/origin_offset.h and relative_frame.h.
 namespace tetracone::verify::proofs {

@@ -6,17 +6,8 @@
 #include "tetracone/kernel/bound/relative_frame.h"
 #include "tetracone/kernel/bound/relative_motion.h"
 #include "verify/proofs/box_test.h"
-#include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/obb8_proofs.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
+#include "verify/proofs/proof.h"
 
 /// The constants of kernel/bound/obb8_gap.h and obb8_sweep.h, from the code of their *_simd.inl.
 namespace tetracone::verify::proofs {
@@ -167,16 +158,11 @@ inline Proved_bounds gap_proofs()
       gap(Kind::triangle) + beyond + off_along_side, u, 1.66, "gappa");
 
   // |A A^T b|, b turned by directions of a similarity, of the axes' own defect; and three roundings of the gap.
-  const auto times = [](const Rational& factor, int n) {
-    Rational all = 1;
-    for (int k = 0; k < n; ++k) all *= factor;
-    return all;
-  };
   const Rational norm = 1 + Rational(3, 2) * defect,
                  length =
                      norm * norm * (1 + defect / 2) * (1 + 2 * Rational(kernel::Relative_frame::similarity_defect)) +
                      off_along_side;
-  add("gap_shrink", 1 - double(kernel::gap_shrink), 1 - 1 / (length * times(1 + roundoff, 3)), u, 1.74, "gappa");
+  add("gap_shrink", 1 - double(kernel::gap_shrink), 1 - 1 / (length * power(1 + roundoff, 3)), u, 1.74, "gappa");
 
   // n may be rounded, and the displacement is.
   const auto moved = [](const auto& in) {
@@ -238,11 +224,11 @@ inline Proved_bounds gap_proofs()
 
   // A time is a sum times the inverse of a speed, halved, plus a sum: half of the span's parameters, at most 1.
   bounds.push_back({"time_rounding", "kernel/bound/obb8_sweep.h", Rational(double(kernel::time_rounding)),
-                    times(1 + roundoff, 4) - 1, u, 2.02, "rationals"});
+                    power(1 + roundoff, 4) - 1, u, 2.02, "rationals"});
 
   // Points are sums of axes times extents; the root halves the roundings of squares, and has two more; the product with
   // a turn and the sum with a loss, two each; what is farthest from the middle, and a turn's product with that.
-  add("radius_rounding", kernel::radius_rounding, norm * length * times(1 + roundoff, 2 + 2 + 4 + 2) - 1, u, 2.76,
+  add("radius_rounding", kernel::radius_rounding, norm * length * power(1 + roundoff, 2 + 2 + 4 + 2) - 1, u, 2.76,
       "rationals");
   add("Carried_box::centre_rounding", Carried_box::centre_rounding, root_3() * 4 * roundoff + Rational(0x1p-70), 1,
       2.32, "rationals");

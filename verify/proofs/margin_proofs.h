@@ -8,16 +8,9 @@
 #include "tetracone/tetratree/paper/regular_hull.h"
 #include "tetracone/tetratree/query/bvh8_containment.h"
 #include "verify/proofs/adaptive_proofs.h"
-#include "verify/proofs/near_orthonormal.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/range_number.h"
-#include "verify/proofs/slices.h"
+#include "verify/proofs/proof.h"
 
 #include <CGAL/Interval_nt.h>
-
-#include <algorithm>
-#include <array>
-#include <vector>
 
 /// Margins proved by geometry or by counting roundings: derived in exact rationals, or in intervals.
 namespace tetracone::verify::proofs {
@@ -105,11 +98,6 @@ inline Proved_bounds margin_proofs()
   using tetratree::Support_table;
   const double u = kernel::unit_roundoff<double>, of_float = kernel::unit_roundoff<float>;
   const Rational once = 1 / (1 - Rational(u)), once_in_float = 1 / (1 - Rational(of_float));
-  const auto times = [](const Rational& factor, int n) {
-    Rational all = 1;
-    for (int k = 0; k < n; ++k) all *= factor;
-    return all;
-  };
   const Rational defect(kernel::axis_defect);
   Proved_bounds bounds;
   const auto add = [&](const std::string& name, const std::string& file, double in_code, const Rational& proved,
@@ -117,16 +105,16 @@ inline Proved_bounds margin_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
   };
 
-  add("few_roundings", "kernel/number/floating_point.h", kernel::few_roundings, times(once, 100) - 1, u, 82);
+  add("few_roundings", "kernel/number/floating_point.h", kernel::few_roundings, power(once, 100) - 1, u, 82);
   // A box's size is rounded by two sums and a stretch, and by the product with this; then the slack of a gap, by two
   // sums and two products.
-  add("rounded_up", "kernel/bound/obb8.h", kernel::rounded_up - 1, times(once_in_float, 8) - 1, of_float, 2.01);
+  add("rounded_up", "kernel/bound/obb8.h", kernel::rounded_up - 1, power(once_in_float, 8) - 1, of_float, 2.01);
   add("box_underflow", "kernel/bound/obb8.h", kernel::box_underflow, detail::underflow_of_boxes(), 0x1p-149, 2.86e12);
 
   // The rows of X = f M^T: |col|_1 <= sqrt(3) |col|_2. A column is as long as the first up to the defect of its square;
   // a root, a quotient and two products round it.
   add("Relative_frame::root_of_3", "kernel/bound/relative_frame.h", Frame::root_of_3,
-      root_3() * (1 + Rational(Frame::similarity_defect)) * times(once, 6), 1, 1.0001);
+      root_3() * (1 + Rational(Frame::similarity_defect)) * power(once, 6), 1, 1.0001);
 
   // An apex is the nearest of its steps; corners are before a line of a box whose extents are wider than they need be
   // by the axes' defect and a float; then the cut's lines are of extents that are stretched, by 3 floats each.
@@ -162,7 +150,7 @@ inline Proved_bounds margin_proofs()
   add("Regular_hull::normal_rounding", "tetratree/paper/regular_hull.h", Hull::normal_rounding, Rational(plane.normal),
       1, 1.8, "intervals");
   // Cones of the levels below have edges of half the length each, and twice the error.
-  const Rational deeper = 2 * times(2, kernel::max_cone_depth - Hull::deepest_convex_level);
+  const Rational deeper = 2 * power(2, kernel::max_cone_depth - Hull::deepest_convex_level);
   add("Cone_coordinates::height_rounding", "kernel/bound/cone_coordinates.h", Cone::height_rounding,
       deeper * Rational(plane.height) + 8 * Rational(u), 1, 1.8, "intervals");
 

@@ -6,15 +6,9 @@
 #include "tetracone/kernel/motion/motion_span.h"
 #include "tetracone/kernel/motion/time_root.h"
 #include "tetracone/kernel/number/floating_point.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/rounding_count.h"
+#include "verify/proofs/proof.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <string>
 #include <utility>
-#include <vector>
 
 /// The constants of kernel/motion/: of the filter of moving triangles, and of spans of time.
 namespace tetracone::verify::proofs {

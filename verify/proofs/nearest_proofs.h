@@ -4,21 +4,11 @@
 #include "tetracone/kernel/bound/common_frame.h"
 #include "tetracone/kernel/bound/triangle_distance.h"
 #include "tetracone/kernel/number/double_double_ball.h"
-#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/enclosed_distance.h"
 #include "tetracone/tetratree/memory/element_gap.h"
 #include "tetracone/tetratree/query/bvh8_distance.h"
 #include "verify/proofs/adaptive_proofs.h"
-#include "verify/proofs/near_orthonormal.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/range_number.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
+#include "verify/proofs/proof.h"
 
 /// The constants by which the nearest pair of elements is found: the common frame of two bodies, limits and distances
 /// in it, and directions that decide without exact numbers.

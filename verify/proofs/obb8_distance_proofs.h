@@ -3,16 +3,9 @@
 
 #include "tetracone/kernel/bound/obb8_distance.h"
 #include "verify/proofs/box_test.h"
-#include "verify/proofs/near_orthonormal.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/slices.h"
+#include "verify/proofs/proof.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <string>
 #include <type_traits>
-#include <vector>
 
 /// The constants of kernel/bound/obb8_distance.h, from kernel/bound/obb8_distance_simd.inl itself.
 namespace tetracone::verify::proofs {

@@ -3,16 +3,10 @@
 
 #include "tetracone/kernel/bound/obb8_overlap.h"
 #include "verify/proofs/box_test.h"
-#include "verify/proofs/near_orthonormal.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/slices.h"
+#include "verify/proofs/proof.h"
 
-#include <algorithm>
-#include <array>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 /// The slacks of kernel/bound/obb8.h, from the comparison of kernel/bound/obb8_overlap_simd.inl itself.
 namespace tetracone::verify::proofs {

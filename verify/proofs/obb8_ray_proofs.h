@@ -2,17 +2,8 @@
 #define TETRACONE_VERIFY_PROOFS_OBB8_RAY_PROOFS_H
 
 #include "tetracone/kernel/bound/obb8_ray.h"
-#include "tetracone/kernel/number/products.h"
 #include "verify/proofs/axis_number.h"
-#include "verify/proofs/near_orthonormal.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
+#include "verify/proofs/proof.h"
 
 /// The constants of kernel/bound/obb8_ray.h, from the expressions of obb8_ray_simd.inl themselves.
 namespace tetracone::verify::proofs {

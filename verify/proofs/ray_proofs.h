@@ -1,16 +1,9 @@
 #ifndef TETRACONE_VERIFY_PROOFS_RAY_PROOFS_H
 #define TETRACONE_VERIFY_PROOFS_RAY_PROOFS_H
 
-#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/ray_triangle.h"
 #include "verify/proofs/adaptive_proofs.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/slices.h"
-
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
+#include "verify/proofs/proof.h"
 
 /// The constants of kernel/predicate/ray_triangle.h.
 namespace tetracone::verify::proofs {

@@ -9,14 +9,8 @@
 #include "tetracone/tetratree/memory/bvh8_front.h"
 #include "tetracone/tetratree/memory/front_entries.h"
 #include "tetracone/tetratree/query/span_reference.h"
-#include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/obb8_proofs.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/range_number.h"
-
-#include <algorithm>
-#include <array>
-#include <string>
+#include "verify/proofs/proof.h"
 
 /// The constants of comparisons of moving bodies with a reference: sweeps of boxes past one another, the reference of a
 /// span of time, and the front of a pair of bodies.

@@ -8,17 +8,10 @@
 #include "tetracone/tetratree/scene/turned_box.h"
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/lanes.h"
-#include "verify/proofs/near_orthonormal.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/range_number.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
+#include "verify/proofs/proof.h"
 
-#include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <string>
-#include <vector>
 
 /// The constants of tetratree/scene/: boxes of placed and of turned bodies, and of their motions.
 namespace tetracone::verify::proofs {

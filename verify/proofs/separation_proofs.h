@@ -7,10 +7,7 @@
 #include "tetracone/tetratree/fast/support_table.h"
 #include "tetracone/tetratree/query/bvh8_containment.h"
 #include "verify/proofs/adaptive_proofs.h"
-#include "verify/proofs/near_orthonormal.h"
-#include "verify/proofs/proved_bound.h"
-#include "verify/proofs/rounding_count.h"
-#include "verify/proofs/slices.h"
+#include "verify/proofs/proof.h"
 
 /// The constants of tetratree/fast/: the search for a separating direction, its support tables, and containment.
 namespace tetracone::verify::proofs {

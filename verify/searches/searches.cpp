@@ -1,10 +1,6 @@
 #include "verify/searches/searches.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <random>
-#include <string>
 
 namespace tetracone::verify::proofs {
 namespace {

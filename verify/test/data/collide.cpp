@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_collide)

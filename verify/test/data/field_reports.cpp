@@ -5,7 +5,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <filesystem>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_field_reports)
@@ -13,8 +12,6 @@ BOOST_AUTO_TEST_SUITE(test_field_reports)
 using namespace tetracone::verify;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::string file(const std::string& name) { return in_quotes(scenes::data_folder() / "field-reports" / name); }
 

@@ -12,8 +12,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <iostream>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>

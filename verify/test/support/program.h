@@ -7,16 +7,38 @@
 
 #include <sys/wait.h>
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
 
 /// Runs the program `tetracone` as its users do.
 namespace tetracone::verify {
 
-inline const std::string program = TETRACONE_PROGRAM;
+inline const std::string program = TETRACONE_PROGRAM, source = TETRACONE_SOURCE_DIR,
+                         models = source + "/verify/test/models/", cube = models + "cube.off";
+
+inline std::string contents(const std::filesystem::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// True when the process has ended within ten seconds. An orphan may be gone or not yet reaped.
+inline bool ends_soon(pid_t process)
+{
+  for (int k = 0; k < 1000; ++k, std::this_thread::sleep_for(std::chrono::milliseconds(10))) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/stat");
+    std::string number, name, state;
+    if (!(status >> number >> name >> state) || state == "Z") return true;
+  }
+  return false;
+}
 
 /// The results of a run of the program.
 struct Run {
@@ -40,8 +62,7 @@ inline Run run(const std::string& words, const std::string& before = "")
   const int status = ::pclose(pipe);
   BOOST_REQUIRE(WIFEXITED(status));
   result.status = WEXITSTATUS(status);
-  std::ifstream in(error.path());
-  result.error.assign(std::istreambuf_iterator<char>(in), {});
+  result.error = contents(error.path());
   return result;
 }
 
@@ -53,7 +74,7 @@ inline void check_refused(const std::string& words, const std::string& says = ""
   BOOST_TEST(r.out.empty(), words);
   BOOST_TEST(r.error.find('\n') + 1 == r.error.size(), words << ": " << r.error);
   BOOST_TEST(r.error.size() > 10, words);
-  BOOST_TEST(r.error.find(says) != std::string::npos, words << ": " << r.error);
+  BOOST_TEST(contains(r.error, says), words << ": " << r.error);
 }
 
 }  // namespace tetracone::verify

@@ -1,16 +1,13 @@
 // The experiments of arithmetic, `sign-maps` and `stability`, as their users run them: their exact rows against what
 // can be said with pencil and paper.
 
+#include "verify/test/support/csv_rows.h"
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,25 +15,6 @@
 BOOST_AUTO_TEST_SUITE(test_arithmetic)
 
 using namespace tetracone::verify;
-
-namespace {
-
-/// The first fields of each row but the first, of which none holds a comma; that many.
-std::vector<std::vector<std::string>> rows(const std::filesystem::path& csv, std::size_t fields)
-{
-  std::ifstream in(csv);
-  BOOST_REQUIRE(in);
-  std::vector<std::vector<std::string>> all;
-  std::string line;
-  for (std::getline(in, line); std::getline(in, line);) {
-    std::istringstream parts(line);
-    all.emplace_back(fields);
-    for (std::string& field : all.back()) BOOST_REQUIRE(std::getline(parts, field, ','));
-  }
-  return all;
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
 {
@@ -46,11 +24,11 @@ BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
   BOOST_TEST_REQUIRE(made.status == 0, made.error);
 
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> maps;
-  for (const auto& row : rows(out.path() / "sign_maps.csv", 4)) {
-    auto& lines = maps[{row[0], row[1]}];
-    BOOST_TEST(row[2] == std::to_string(lines.size()));
-    BOOST_TEST(row[3].size() == std::size_t(size));
-    lines.push_back(row[3]);
+  for (const auto& row : csv_rows(out.path() / "sign_maps.csv")) {
+    auto& lines = maps[{row.at("map"), row.at("subject")}];
+    BOOST_TEST(row.at("row") == std::to_string(lines.size()));
+    BOOST_TEST(row.at("answers").size() == std::size_t(size));
+    lines.push_back(row.at("answers"));
   }
   BOOST_TEST(maps.size() == 4u * 6u);
   for (const auto& [name, lines] : maps)
@@ -94,7 +72,8 @@ BOOST_AUTO_TEST_CASE(the_exact_kernel_changes_its_answer_at_the_exact_place_and_
   const Run made = run("experiment stability --seed 5 --out " + in_quotes(out.path()));
   BOOST_TEST_REQUIRE(made.status == 0, made.error);
   std::map<std::string, std::vector<double>> errors;  // of a subject, in doubles
-  for (const auto& row : rows(out.path() / "stability.csv", 5)) errors[row[2]].push_back(std::stod(row[4]));
+  for (const auto& row : csv_rows(out.path() / "stability.csv"))
+    errors[row.at("subject")].push_back(std::stod(row.at("error_doubles")));
   BOOST_TEST(errors.size() == 6u);
   for (auto& [subject, list] : errors) {
     BOOST_TEST(list.size() > 40u, subject);  // of 60 ways, those that meet

@@ -6,7 +6,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
-#include <cmath>
 
 BOOST_AUTO_TEST_SUITE(test_contracted)
 

@@ -1,7 +1,5 @@
 // Runs `tetracone experiment dataset` itself: its rows as JSON Lines and as CSV.
 
-#include "experiments/accuracy/dataset.h"
-
 #include "verify/test/support/program.h"
 
 #include <boost/test/unit_test.hpp>

@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(answers_are_lines_and_the_kind_is_the_folders_or_named)
   made = run("ccd " + in_quotes(file) + " --kind edge-edge");
   BOOST_TEST(made.status == 1);
   BOOST_TEST(made.out == "0\n0\n");
-  BOOST_TEST(made.error.find("a.csv:1: the answer is not the file's, the first of 1 of 1") != std::string::npos);
+  BOOST_TEST(contains(made.error, "a.csv:1: the answer is not the file's, the first of 1 of 1"));
 }
 
 BOOST_AUTO_TEST_CASE(bad_queries_are_refused_with_their_line)

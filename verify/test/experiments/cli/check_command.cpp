@@ -1,7 +1,6 @@
 // Runs the program itself: exit status, output and errors of `tetracone check`.
 
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -10,14 +9,6 @@
 BOOST_AUTO_TEST_SUITE(test_check_command)
 
 using namespace tetracone::verify;
-
-namespace {
-
-const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(help_and_version_succeed_and_show_an_example)
 {
@@ -99,11 +90,6 @@ BOOST_AUTO_TEST_CASE(bad_use_and_bad_input_are_status_2_with_one_line_and_no_out
   check_refused("check --json " + models + "cube.off no/such/file.off");
   const Temporary_file cut("cut.off", "OFF\n3 1 0\n0 0 0\n");
   check_refused("check '" + cut.path().native() + "'");
-}
-
-BOOST_AUTO_TEST_CASE(output_that_cannot_be_written_is_status_2)
-{
-  BOOST_TEST(run("check " + models + "cube.off >/dev/full").status == 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

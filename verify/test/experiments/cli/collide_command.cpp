@@ -1,15 +1,12 @@
 // Runs the program itself: the answers of several kernels side by side, and poses of long fractions.
 
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,9 +16,6 @@ BOOST_AUTO_TEST_SUITE(test_collide_command)
 using namespace tetracone::verify;
 
 namespace {
-
-const std::string source = TETRACONE_SOURCE_DIR;
-const std::string cube = source + "/verify/test/models/cube.off";
 
 /// Unit cubes that touch, then by less apart than a float can say, then far apart.
 const std::string poses =
@@ -57,7 +51,7 @@ BOOST_AUTO_TEST_CASE(what_the_first_query_makes_is_told_beside_the_table)
   const Run timed = run(words + " --time --repeat 2");
   BOOST_TEST(timed.out.starts_with("pose,answer,ns,bounding_tests,primitive_tests,exact_fallbacks\n0,1,"), timed.out);
   BOOST_TEST(timed.error.starts_with("first query: "), timed.error);
-  BOOST_TEST(timed.error.find("of it trees ") != std::string::npos, timed.error);
+  BOOST_TEST(contains(timed.error, "of it trees "), timed.error);
   BOOST_TEST(run(words).error.empty());
 }
 
@@ -69,17 +63,16 @@ BOOST_AUTO_TEST_CASE(contacts_are_rows_fractions_polygons_and_curves)
   const std::string words = "collide " + cube + " " + cube + " --contacts --pose-b ";
   const Run rows = run(words + in_quotes(overlapping.path()) + " --exact --csv /dev/stdout");
   BOOST_TEST(rows.out.starts_with("pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1\n0,"), rows.out);
-  BOOST_TEST(rows.out.find(",segment,") != std::string::npos, rows.out);
-  BOOST_TEST(rows.out.find("1/3") != std::string::npos, rows.out);
-  BOOST_TEST(rows.out.find("0.3") == std::string::npos, rows.out);
+  BOOST_TEST(contains(rows.out, ",segment,"), rows.out);
+  BOOST_TEST(contains(rows.out, "1/3"), rows.out);
+  BOOST_TEST(!contains(rows.out, "0.3"), rows.out);
   const Run polygons = run(words + in_quotes(touching.path()) + " --json");
-  BOOST_TEST(polygons.out.find("\"kind\": \"coplanar\"") != std::string::npos, polygons.out);
+  BOOST_TEST(contains(polygons.out, "\"kind\": \"coplanar\""), polygons.out);
   const Temporary_file curves("curves.obj", "");
   BOOST_TEST(run(words + in_quotes(overlapping.path()) + " --curves " + in_quotes(curves.path())).status == 0);
-  std::ifstream in(curves.path());
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = contents(curves.path());
   BOOST_TEST(text.starts_with("v "), text);
-  BOOST_TEST(text.find("\nl 1 2 ") != std::string::npos, text);
+  BOOST_TEST(contains(text, "\nl 1 2 "), text);
 
   check_refused("collide " + cube + " " + cube + " --contacts --kernel float", "an exact kernel");
   check_refused("collide " + cube + " " + cube + " --exact", "expected with --contacts");
@@ -135,7 +128,7 @@ BOOST_AUTO_TEST_CASE(contacts_beyond_the_largest_double_are_rounded_as_ieee_754_
                               in_quotes(pose.path()) + " --pose-b " + in_quotes(pose.path());
     BOOST_TEST(run(words).out.ends_with(" " + expected + " 0 0\n"), x);
     if (expected != "inf") continue;
-    BOOST_TEST(run(words + " --json").out.find("\"inf\"") != std::string::npos);
+    BOOST_TEST(contains(run(words + " --json").out, "\"inf\""));
     check_refused(words + " --curves curves.obj", "expected --contacts without --curves");
   }
 }

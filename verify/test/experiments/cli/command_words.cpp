@@ -1,17 +1,12 @@
 #include "experiments/cli/command_words.h"
 
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_command_words)
 
@@ -21,12 +16,6 @@ using verify::Run;
 using verify::run;
 
 namespace {
-
-std::string content(const std::filesystem::path& file)
-{
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The fields of a line of a CSV, quotes taken off.
 std::vector<std::string> fields(const std::string& line)
@@ -66,17 +55,6 @@ struct Table {
   }
 };
 
-/// A folder that is removed at the end.
-struct Folder {
-  explicit Folder(const std::string& name)
-      : path(std::filesystem::temp_directory_path() / ("tetracone_words_" + std::to_string(getpid()) + "_" + name))
-  {
-    std::filesystem::create_directories(path);
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  std::filesystem::path path;
-};
-
 /// Runs words of a row from the project's folder, this program and `to` in the place of build/tetracone and `from`.
 Run run_again(std::string words, const std::string& from, const std::filesystem::path& to)
 {
@@ -93,14 +71,14 @@ Run run_again(std::string words, const std::string& from, const std::filesystem:
 void check_experiment(const std::string& words, const std::string& file, const std::set<std::string>& timed,
                       const std::string& again)
 {
-  const Folder first("first"), second("second");
-  const Run made = run("experiment " + words + " --out " + first.path.native());
+  const verify::Temporary_folder first("first"), second("second");
+  const Run made = run("experiment " + words + " --out " + first.path().native());
   BOOST_TEST_REQUIRE(made.status == 0, made.error);
-  const Table rows(content(first.path / file), timed);
+  const Table rows(verify::contents(first.path() / file), timed);
   BOOST_TEST_REQUIRE((rows.again == std::set<std::string>{again}), *rows.again.begin());
-  const Run made_again = run_again(again, "--out out", second.path);
+  const Run made_again = run_again(again, "--out out", second.path());
   BOOST_TEST_REQUIRE(made_again.status == 0, made_again.error);
-  BOOST_TEST(rows.text == Table(content(second.path / file), timed).text);
+  BOOST_TEST(rows.text == Table(verify::contents(second.path() / file), timed).text);
 }
 
 }  // namespace
@@ -139,7 +117,7 @@ BOOST_AUTO_TEST_CASE(the_words_of_an_experiments_rows_make_the_same_rows_again)
 
 BOOST_AUTO_TEST_CASE(the_words_of_a_campaign_ask_it_again_with_its_subjects_and_their_commands)
 {
-  const Folder folder("campaign");
+  const verify::Temporary_file first_db("first.db", ""), second_db("second.db", "");
   const verify::Temporary_file script("mine.py", R"(
 import json, sys
 for line in sys.stdin:
@@ -147,7 +125,7 @@ for line in sys.stdin:
     if "ask" in m: print(json.dumps({"ask": m["ask"], "answer": int(m["question"] == "solid")}), flush=True)
 )");
   const std::string mine = "mine=" TETRACONE_PYTHON " " + script.path().native();
-  const std::string first = folder.path / "first.db", second = folder.path / "second.db";
+  const std::string first = first_db.path(), second = second_db.path();
   const Run asked = run("verify --db " + first + " --seed 5 --level object --cases 3 --frames 4 --family random" +
                         " --family sliver --subject 'double brute' --subject-command '" + mine + "'");
   BOOST_TEST_REQUIRE(asked.status == 0, asked.error);

@@ -1,11 +1,9 @@
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <nlohmann/json.hpp>
 
 #include <boost/test/unit_test.hpp>
 
-#include <fstream>
 #include <functional>
 #include <string>
 #include <utility>
@@ -49,8 +47,7 @@ Json certificate_of(const Files& files, const std::string& question)
   const Temporary_file file("certificate", "");
   const Run r = run(files.words() + " --question " + question + " --certificate " + in_quotes(file.path()));
   BOOST_TEST(r.status == 0, r.error);
-  std::ifstream in(file.path());
-  return Json::parse(in);
+  return Json::parse(contents(file.path()));
 }
 
 }  // namespace
@@ -122,12 +119,8 @@ BOOST_AUTO_TEST_CASE(nearest_points_are_the_doubles_nearest_to_the_exact_ones)
                                   "0.9333333333333333 5\n0  "));
   const Temporary_file csv("points.csv", "");
   BOOST_TEST(run(files.words() + " --points --csv " + in_quotes(csv.path())).status == 0);
-  std::ifstream in(csv.path());
-  std::string header, row;
-  std::getline(in, header);
-  std::getline(in, row);
-  BOOST_TEST(header == "pose,distance,x0,y0,z0,x1,y1,z1");
-  BOOST_TEST(row == "0,1.346291201783626,1,1,0.25,1.5,2.25,0.25");
+  BOOST_TEST(contents(csv.path())
+                 .starts_with("pose,distance,x0,y0,z0,x1,y1,z1\n0,1.346291201783626,1,1,0.25,1.5,2.25,0.25\n"));
 }
 
 BOOST_AUTO_TEST_CASE(an_open_surface_is_told_the_question_that_it_has)

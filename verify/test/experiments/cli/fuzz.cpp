@@ -3,7 +3,6 @@
 
 #include "verify/cases/case_file.h"
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -16,6 +15,7 @@ BOOST_AUTO_TEST_SUITE(test_fuzz)
 
 using namespace tetracone;
 using verify::check_refused;
+using verify::contains;
 using verify::in_quotes;
 using verify::Run;
 using verify::run;
@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
   const Temporary_folder folder("fuzz_double");
   const Run r = run("fuzz --seconds 6 --seed 3 --subject 'double brute' --out " + in_quotes(folder.path()));
   BOOST_TEST(r.status == 0, r.error);
-  BOOST_TEST(r.out.find("double brute") != std::string::npos);
+  BOOST_TEST(contains(r.out, "double brute"));
   const auto files = files_of(folder.path());
   BOOST_REQUIRE(!files.empty());
   int of_features = 0;
@@ -77,10 +77,10 @@ BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
   BOOST_TEST(of_features > 0);
   // The other ways of asking.
   const std::string first = in_quotes(files.front());
-  BOOST_TEST(run("collide --json " + first).out.find("\"answer\"") != std::string::npos);
+  BOOST_TEST(contains(run("collide --json " + first).out, "\"answer\""));
   BOOST_TEST(run("collide --features " + first).status == 0);
   BOOST_TEST(run("collide --question surface " + first).status == 0);
-  BOOST_TEST(run("collide --json --time --repeat 2 " + first).out.find("\"ns\"") != std::string::npos);
+  BOOST_TEST(contains(run("collide --json --time --repeat 2 " + first).out, "\"ns\""));
   check_refused("collide " + first + " --pose-a " + first, "expected without a case file");
   check_refused("collide " + first + " " + first, "expected without a case file");
   check_refused("collide --strict " + first, "expected without a case file");
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(exact_subjects_find_nothing)
   const Run r = run("fuzz --seconds 3 --subject adaptive --out " + in_quotes(folder.path()));
   BOOST_TEST(r.status == 0, r.out << r.error);
   BOOST_TEST(files_of(folder.path()).empty());
-  BOOST_TEST(r.out.find("exact") != std::string::npos);
+  BOOST_TEST(contains(r.out, "exact"));
 }
 
 BOOST_AUTO_TEST_CASE(somebody_elses_program_is_found_wrong)

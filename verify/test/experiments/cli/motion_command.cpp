@@ -1,11 +1,8 @@
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_motion_command)
@@ -13,8 +10,6 @@ BOOST_AUTO_TEST_SUITE(test_motion_command)
 using namespace tetracone::verify;
 
 namespace {
-
-const std::string cube = in_quotes(TETRACONE_SOURCE_DIR "/verify/test/models/cube.off");
 
 std::string motion(const std::string& options) { return "motion " + cube + " " + cube + " " + options; }
 
@@ -49,12 +44,10 @@ BOOST_AUTO_TEST_CASE(rigid_motions_and_tables)
   const Run made = run(motion("--motion rigid --features --time" + option("b0", start) + option("b1", end) + " --csv " +
                               in_quotes(csv.path())));
   BOOST_TEST(made.status == 0, made.error);
-  std::ifstream in(csv.path());
-  const std::string table{std::istreambuf_iterator<char>(in), {}};
-  BOOST_TEST(
-      table.starts_with("motion,answer,lo,hi,feature_a,feature_b,ns,bounding_tests,primitive_tests,"
-                        "exact_fallbacks\n0,1,1,1,"));
-  BOOST_TEST(table.find("\n1,0,,,,,") != std::string::npos);
+  const std::string table = contents(csv.path());
+  BOOST_TEST(table.starts_with(
+      "motion,answer,lo,hi,feature_a,feature_b,ns,bounding_tests,primitive_tests,exact_fallbacks\n0,1,1,1,"));
+  BOOST_TEST(contains(table, "\n1,0,,,,,"));
 }
 
 BOOST_AUTO_TEST_CASE(bad_motions_are_refused_with_their_line)
@@ -117,8 +110,9 @@ BOOST_AUTO_TEST_CASE(rotation_matrices_move_rigidly)
   BOOST_TEST(exact.out.substr(0, 12) == quaternions.out.substr(0, 12));
   BOOST_TEST(near.out.substr(0, 12) == exact.out.substr(0, 12));
   BOOST_TEST(
-      near.error.find(": 1 matrix is no rotation exactly; the motion is that of quaternions whose rotations differ "
-                      "by at most ") != std::string::npos,
+      near.error.find(
+          ": 1 matrix is no rotation exactly; the motion is that of quaternions whose rotations differ by at most ") !=
+          std::string::npos,
       near.error);
   BOOST_TEST(near.error.find('\n') + 1 == near.error.size());
   const Temporary_file path("path",

@@ -10,12 +10,6 @@ BOOST_AUTO_TEST_SUITE(test_options)
 
 using namespace tetracone::verify;
 
-namespace {
-
-const std::string cube = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/cube.off";
-
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(numbers_out_of_their_range_are_refused_at_once)
 {
   for (const std::string number : {"-1", "0", "1e9", "nan", "99999999999999999999", "x"}) {

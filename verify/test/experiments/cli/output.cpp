@@ -1,7 +1,6 @@
 // Runs the program itself: where its output may go, and what is said when it cannot.
 
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -9,7 +8,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_output)
@@ -19,16 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
-const std::string cube = models + "cube.off";
 const std::string collide = "collide " + cube + " " + cube;
 const std::string table = "pose,answer\n0,1\n";
-
-std::string bytes(const fs::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A folder that is there.
 struct Folder : Temporary_folder {
@@ -61,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_fifo_is_written_and_stays_one)
       run(collide + " --csv " + in_quotes(fifo) + "; wait", "cat " + in_quotes(fifo) + " >" + in_quotes(copy) + " & ");
   BOOST_TEST(r.status == 0);
   BOOST_TEST(fs::is_fifo(fifo));
-  BOOST_TEST(bytes(copy) == table);
+  BOOST_TEST(contents(copy) == table);
 }
 
 BOOST_AUTO_TEST_CASE(a_link_is_followed_and_stays_one)
@@ -72,7 +62,7 @@ BOOST_AUTO_TEST_CASE(a_link_is_followed_and_stays_one)
   fs::create_symlink(link, again);
   for (const fs::path& name : {link, again}) {  // to no file yet, then to one
     BOOST_TEST(run(collide + " --csv " + in_quotes(name)).status == 0);
-    BOOST_TEST(bytes(file) == table);
+    BOOST_TEST(contents(file) == table);
     BOOST_TEST(fs::is_symlink(name));
   }
   BOOST_TEST(folder.entries() == 3u);
@@ -86,7 +76,7 @@ BOOST_AUTO_TEST_CASE(what_the_shell_goes_on_to_write_is_kept)
 {
   const Temporary_file log("log", "before\n");
   run(collide + " --csv /dev/stdout; echo after; } >>" + in_quotes(log.path()), "{ ");
-  BOOST_TEST(bytes(log.path()) == "before\n" + table + "after\n");
+  BOOST_TEST(contents(log.path()) == "before\n" + table + "after\n");
 }
 
 BOOST_AUTO_TEST_CASE(an_input_is_no_output)
@@ -104,8 +94,8 @@ BOOST_AUTO_TEST_CASE(an_input_is_no_output)
     check_refused("collide " + words + " --csv " + in_quotes(output), "is an input too");
     check_refused("view " + words + " --out " + in_quotes(output), "is an input too");
   }
-  BOOST_TEST(bytes(model) == bytes(cube));
-  BOOST_TEST(bytes(poses) == bytes(models + "poses.txt"));
+  BOOST_TEST(contents(model) == contents(cube));
+  BOOST_TEST(contents(poses) == contents(models + "poses.txt"));
   const fs::path poly = folder.path() / "t.poly", node = folder.path() / "t.node";
   fs::copy_file(models + "tetrahedron.poly", poly);
   fs::copy_file(models + "tetrahedron.node", node);
@@ -124,16 +114,17 @@ BOOST_AUTO_TEST_CASE(a_failed_write_says_why_and_leaves_what_was_there)
   std::ofstream(file) << "old\n";
   const Run r = run(collide + " --csv " + in_quotes(file), "trap '' XFSZ; ulimit -f 0; exec ");
   BOOST_TEST(r.status == 2);
-  BOOST_TEST(bytes(file) == "old\n");
+  BOOST_TEST(contents(file) == "old\n");
   BOOST_TEST(folder.entries() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(a_full_standard_output_is_status_2_with_the_reason)
 {
-  for (const std::string words : {"--help", "--version", "collide --help", "experiment --list"}) {
+  for (const std::string& words : {std::string("--help"), std::string("--version"), std::string("collide --help"),
+                                   std::string("experiment --list"), "check " + cube}) {
     const Run r = run(words + " >/dev/full");
     BOOST_TEST(r.status == 2, words);
-    BOOST_TEST(r.error.find("No space left on device") != std::string::npos, words << ": " << r.error);
+    BOOST_TEST(contains(r.error, "No space left on device"), words << ": " << r.error);
     BOOST_TEST(r.error.find('\n') + 1 == r.error.size(), words << ": " << r.error);
   }
   BOOST_TEST(run(collide + " >/dev/full").status == 2);

@@ -2,22 +2,15 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_points)
 
-using tetracone::verify::check_refused;
-using tetracone::verify::in_quotes;
-using tetracone::verify::run;
-using tetracone::verify::Temporary_file;
+using namespace tetracone::verify;
 
 namespace {
 
-const std::string models = TETRACONE_SOURCE_DIR "/verify/test/models/";
-const std::string cube = in_quotes(models + "cube.off"), frame = in_quotes(models + "frame.poly"),
-                  open = in_quotes(models + "open.stl");
+const std::string open = models + "open.stl";
 
 }  // namespace
 
@@ -98,12 +91,10 @@ BOOST_AUTO_TEST_CASE(an_open_surface_is_refused_with_what_would_close_it)
 BOOST_AUTO_TEST_CASE(what_a_reader_leaves_out_is_told_by_every_command)
 {
   const Temporary_file points("points.txt", "0.5 0.5 0.5\n");
-  std::ifstream in(models + "cube.off");
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  const Temporary_file more("more.off", text + "the end\n");
+  const Temporary_file more("more.off", contents(cube) + "the end\n");
   const auto r = run("inside " + in_quotes(more.path()) + " " + in_quotes(points.path()));
   BOOST_TEST(r.out == "1\n");
-  BOOST_TEST(r.error.find("lines behind the last face are left out: 1") != std::string::npos, r.error);
+  BOOST_TEST(contains(r.error, "lines behind the last face are left out: 1"), r.error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,24 +2,16 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_save_command)
 
-using tetracone::verify::check_refused;
-using tetracone::verify::in_quotes;
-using tetracone::verify::run;
-using tetracone::verify::Temporary_file;
-using tetracone::verify::temporary_path;
+using namespace tetracone::verify;
 
 namespace {
 
-const std::string models = TETRACONE_SOURCE_DIR "/verify/test/models/";
-const std::string cube = in_quotes(models + "cube.off"), frame = in_quotes(models + "frame.poly"),
-                  lifted = in_quotes(models + "lifted.obj"), open = in_quotes(models + "open.stl");
+const std::string frame = models + "frame.poly", lifted = models + "lifted.obj", open = models + "open.stl";
 
 }  // namespace
 
@@ -31,9 +23,7 @@ BOOST_AUTO_TEST_CASE(a_saved_body_is_taken_wherever_a_model_is)
   BOOST_TEST(run("save " + cube + " --out " + in_a).status == 0);
   BOOST_TEST(run("save " + frame + " --out " + in_b).status == 0);
   for (const std::string command : {"collide", "distance", "collide --features",
-                                    "collide --kernel rational --method "
-                                    "brute",
-                                    "collide --method paper"}) {
+                                    "collide --kernel rational --method brute", "collide --method paper"}) {
     const auto of_models = run(command + " " + cube + " " + frame), of_saved = run(command + " " + in_a + " " + in_b);
     BOOST_TEST(of_saved.status == of_models.status);
     BOOST_TEST(of_saved.out == of_models.out, command);
@@ -64,8 +54,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_saved_or_is_spoiled_is_refused)
   check_refused("save " + saved + " --out " + saved, "is an input too");
   check_refused("collide " + saved + " " + cube, "an open surface has no solid");
   BOOST_TEST(run("collide --question surface " + saved + " " + cube).status == 0);
-  std::ifstream in(file.path(), std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  std::string bytes = contents(file.path());
   bytes[bytes.size() / 2] = char(bytes[bytes.size() / 2] ^ 1);
   std::ofstream(file.path(), std::ios::binary) << bytes;
   for (const std::string command : {"collide --question surface ", "distance ", "check "})

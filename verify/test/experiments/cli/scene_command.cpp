@@ -4,20 +4,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_scene_command)
 
-using tetracone::verify::check_refused;
-using tetracone::verify::in_quotes;
-using tetracone::verify::Run;
-using tetracone::verify::run;
-using tetracone::verify::Temporary_file;
+using namespace tetracone::verify;
 
 namespace {
-
-const std::string cube = TETRACONE_SOURCE_DIR "/verify/test/models/cube.off";
 
 std::string at(const std::string& x) { return "[1, 0, 0, " + x + ", 0, 1, 0, 0, 0, 0, 1, 0]"; }
 
@@ -25,8 +18,8 @@ std::string at(const std::string& x) { return "[1, 0, 0, " + x + ", 0, 1, 0, 0, 
 std::string scene(const std::string& frames, const std::string& more = "")
 {
   return "{\"models\": {\"cube\": \"" + cube +
-         "\", \"unused\": \"nothing.off\"},\n \"bodies\": [{\"model\": \"cube\"}, "
-         "{\"model\": \"cube\"}, {\"model\": \"cube\"}],\n \"frames\": [\n" +
+         "\", \"unused\": \"nothing.off\"},\n \"bodies\": [{\"model\": \"cube\"}, {\"model\": \"cube\"}, {\"model\": "
+         "\"cube\"}],\n \"frames\": [\n" +
          frames + "]" + more + "}\n";
 }
 std::string frame(const std::string& x, const std::string& y, const std::string& z)
@@ -50,7 +43,7 @@ BOOST_AUTO_TEST_CASE(a_pair_has_a_line_and_a_frame_has_a_row)
   const std::string times = run(ask + " --csv /dev/stdout --time").out;
   BOOST_TEST(times.starts_with("frame,pairs,ns,candidates,queries,nodes_made,bytes\n0,1,"), times);
   BOOST_TEST(run(ask + " --json").out.starts_with("[\n  {\"frame\": 0, \"pairs\": [[0, 1]]},\n"));
-  BOOST_TEST(run(ask + " --budget 1 --csv /dev/stdout").out.find(",undecided,") != std::string::npos);
+  BOOST_TEST(contains(run(ask + " --budget 1 --csv /dev/stdout").out, ",undecided,"));
 }
 
 BOOST_AUTO_TEST_CASE(what_meets_between_frames_has_a_line_in_order_of_time)
@@ -135,12 +128,12 @@ BOOST_AUTO_TEST_CASE(what_was_computed_before_a_fault_is_kept)
   const Run r = run("scene " + in_quotes(flat.path()));
   BOOST_TEST(r.status == 2);
   BOOST_TEST(r.out == "0 0 1\n1 1 2\n");
-  BOOST_TEST(r.error.ends_with(".scene.json:6: /frames/2/0 has a 3x3 part of determinant 0; expected a matrix that "
-                               "flattens nothing\n"),
-             r.error);
+  BOOST_TEST(
+      r.error.ends_with(
+          ".scene.json:6: /frames/2/0 has a 3x3 part of determinant 0; expected a matrix that flattens nothing\n"),
+      r.error);
   BOOST_TEST(run("scene " + in_quotes(flat.path()) + " --csv " + in_quotes(csv.path())).status == 2);
-  std::ifstream in(csv.path());
-  BOOST_TEST(std::string(std::istreambuf_iterator<char>(in), {}) == "frame,a,b\n0,0,1\n1,1,2\n");
+  BOOST_TEST(contents(csv.path()) == "frame,a,b\n0,0,1\n1,1,2\n");
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_that_is_none_is_refused_with_its_line)

@@ -2,7 +2,6 @@
 
 #include "verify/campaign/database.h"
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,8 +12,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <thread>
@@ -132,11 +129,11 @@ BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole)
   check_refused("merge " + first.path + " " + whole, first.path);
   const Run both = run("report --progress " + first.path + " " + second.path);
   BOOST_TEST(both.status == 0);
-  BOOST_TEST(both.out.find(": shard 1 of 2, ") != std::string::npos, both.out);
-  BOOST_TEST(both.out.find("all: 2 of 2 shards begun, ") != std::string::npos, both.out);
+  BOOST_TEST(contains(both.out, ": shard 1 of 2, "), both.out);
+  BOOST_TEST(contains(both.out, "all: 2 of 2 shards begun, "), both.out);
   const Run half = run("report --progress " + first.path);
   BOOST_TEST(half.status == 1);
-  BOOST_TEST(half.out.find("all: 1 of 2 shards begun, ") != std::string::npos, half.out);
+  BOOST_TEST(contains(half.out, "all: 1 of 2 shards begun, "), half.out);
   BOOST_TEST(run("report --progress " + merged.path).status == 0);
   check_refused("report " + first.path + " " + second.path, "expected one database");
 }
@@ -174,9 +171,9 @@ for line in sys.stdin:
              first.out);
   const std::string failures = run("report " + db.path + " --table failures").out;
   BOOST_TEST(failures.starts_with("level,family,subject,question,how,n,said\nobject,"), failures);
-  BOOST_TEST(failures.find(",mine,surface,status 1,") != std::string::npos, failures);
-  BOOST_TEST(failures.find(",no turned pose is taken\n") != std::string::npos, failures);
-  BOOST_TEST(run("report " + db.path + " --table relations").out.find(",mine,") != std::string::npos);
+  BOOST_TEST(contains(failures, ",mine,surface,status 1,"), failures);
+  BOOST_TEST(contains(failures, ",no turned pose is taken\n"), failures);
+  BOOST_TEST(contains(run("report " + db.path + " --table relations").out, ",mine,"));
   BOOST_TEST(run("report " + db.path + " --table commands").out == "subject,command\nmine," + command + "\n");
   const std::string before = tables(db.path);
   BOOST_TEST(run(words + "'mine=" + command + "'").status == 0);
@@ -189,7 +186,7 @@ for line in sys.stdin:
   check_refused(words + "mine=/nowhere/program", "expected a program that the shell can run");
   const Run check = run("verify --check-subject '" + command + "'");
   BOOST_TEST(check.status == 1);
-  BOOST_TEST(check.out.find("does not follow the protocol") != std::string::npos, check.out);
+  BOOST_TEST(contains(check.out, "does not follow the protocol"), check.out);
 }
 
 BOOST_AUTO_TEST_CASE(the_table_of_errors_has_the_columns_that_others_rely_on)
@@ -200,7 +197,7 @@ BOOST_AUTO_TEST_CASE(the_table_of_errors_has_the_columns_that_others_rely_on)
   BOOST_TEST(
       table.starts_with("level,family,subject,question,n,false_positives,false_negatives,failures\nfeatures,"
                         "random,double brute,features,4,"));
-  BOOST_TEST(table.find("\nobject,random,double brute,solid,4,") != std::string::npos);
+  BOOST_TEST(contains(table, "\nobject,random,double brute,solid,4,"));
 }
 
 BOOST_AUTO_TEST_CASE(families_are_described_where_they_are_named)
@@ -212,7 +209,7 @@ BOOST_AUTO_TEST_CASE(families_are_described_where_they_are_named)
         "  sliver                  triangles of a tiny height", "parameter: height 2^-h: h (2 10 20 30 40 50)",
         "  motion-rolling          a cube turns about an edge above a plate"})
     BOOST_TEST(list.out.find(line) != std::string::npos, line);
-  BOOST_TEST(run("verify --help").out.find("--list") != std::string::npos);
+  BOOST_TEST(contains(run("verify --help").out, "--list"));
 }
 
 BOOST_AUTO_TEST_CASE(a_report_of_another_versions_database_is_refused_in_a_line)
@@ -301,16 +298,12 @@ BOOST_AUTO_TEST_CASE(another_programs_database_is_refused_and_left_as_it_is)
   Database(theirs.path, Database::Mode::write)
       .run("PRAGMA journal_mode = DELETE; CREATE TABLE done (what TEXT); INSERT INTO done VALUES ('dishes')");
   BOOST_TEST(run("verify --db " + ours.path + " --cases 4 --family random --subject double").status == 0);
-  const auto bytes = [&] {
-    std::ifstream in(theirs.path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), {});
-  };
-  const std::string before = bytes();
+  const std::string before = contents(theirs.path);
   for (const std::string& words :
        {"verify --cases 4 --family random --subject double --db " + theirs.path,
         "merge " + theirs.path + " " + ours.path, "merge " + ours.path + " " + theirs.path, "report " + theirs.path})
     check_refused(words, theirs.path + ": no such table: ");
-  BOOST_TEST(bytes() == before);
+  BOOST_TEST(contents(theirs.path) == before);
 }
 
 BOOST_AUTO_TEST_CASE(a_report_without_memory_is_one_line)
@@ -327,7 +320,7 @@ BOOST_AUTO_TEST_CASE(a_report_without_memory_is_one_line)
     ++refused;
     BOOST_TEST(r.status == 2, kilobytes);
     BOOST_TEST(r.error.find('\n') + 1 == r.error.size(), kilobytes << ": " << r.error);
-    BOOST_TEST(r.error.find("Traceback") == std::string::npos, r.error);
+    BOOST_TEST(!contains(r.error, "Traceback"), r.error);
   }
   BOOST_TEST(refused > 0);
 }

@@ -3,7 +3,6 @@
 
 #include "tetracone/kernel/number/floating_point.h"
 #include "verify/test/support/program.h"
-#include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
@@ -16,8 +15,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
@@ -30,16 +27,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string source = TETRACONE_SOURCE_DIR;
-const std::string models = source + "/verify/test/models/";
-const std::string cube = models + "cube.off";
-
-std::string bytes(const std::filesystem::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The page that these words give, and the data in it.
 struct Page {
   std::string html;
@@ -51,7 +38,7 @@ struct Page {
     const Run r = run("view " + words + " --out " + in_quotes(file.path()));
     BOOST_TEST_REQUIRE(r.status == 0, words << ": " << r.error);
     BOOST_TEST(r.out.empty());
-    html = bytes(file.path());
+    html = contents(file.path());
     const std::string open = "id=\"data\">";
     const auto begin = html.find(open) + open.size();
     data = Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
@@ -219,10 +206,9 @@ BOOST_AUTO_TEST_CASE(large_bodies_are_shown_in_linear_time)
   const Temporary_file page("page.html", "");
   const Run r = run("view " + in_quotes(half.path()) + " --out " + in_quotes(page.path()));
   BOOST_TEST(r.status == 0);
-  BOOST_TEST(
-      r.error.find("500000 triangles, more than 50000: the page shows bodies and answers alone\n") != std::string::npos,
-      r.error);
-  BOOST_TEST(bytes(page.path()).find("\"nodes\"") == std::string::npos);
+  BOOST_TEST(contains(r.error, "500000 triangles, more than 50000: the page shows bodies and answers alone\n"),
+             r.error);
+  BOOST_TEST(contents(page.path()).find("\"nodes\"") == std::string::npos);
   check_refused("view " + in_quotes(huge.path()) + " --out " + in_quotes(page.path()),
                 "1002528 triangles; expected at most 1000000 in a page");
   BOOST_TEST(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 120);
@@ -233,7 +219,7 @@ BOOST_AUTO_TEST_CASE(every_case_of_the_corpus_gives_a_page)
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(source + "/verify/corpus")) {
     if (!entry.path().native().ends_with(".case.json")) continue;
-    const Json data = Page(in_quotes(entry.path())).data, c = Json::parse(bytes(entry.path()));
+    const Json data = Page(in_quotes(entry.path())).data, c = Json::parse(contents(entry.path()));
     ++count;
     const Json truth = c["level"] == "object" ? c["truth"][c["question"].get<std::string>()] : c["truth"];
     BOOST_TEST(data["exact"][0] == truth, entry.path());
@@ -244,18 +230,18 @@ BOOST_AUTO_TEST_CASE(every_case_of_the_corpus_gives_a_page)
 BOOST_AUTO_TEST_CASE(a_page_asks_for_nothing_from_outside)
 {
   const Page page(cube);
-  BOOST_TEST(page.html.find("default-src 'none'") != std::string::npos);
+  BOOST_TEST(contains(page.html, "default-src 'none'"));
   for (const std::string outside : {"src=\"", "<link rel=\"stylesheet\"", "import(", "@import", "fetch(\""})
     BOOST_TEST(page.html.find(outside) == std::string::npos, outside);
-  BOOST_TEST(page.html.find("{{") == std::string::npos);  // three.js and ours: no name of the template is left
-  BOOST_TEST(page.html.find("Permission is hereby granted") != std::string::npos);  // three.js' licence goes with it
+  BOOST_TEST(!contains(page.html, "{{"));  // three.js and ours: no name of the template is left
+  BOOST_TEST(contains(page.html, "Permission is hereby granted"));  // three.js' licence goes with it
 }
 
 BOOST_AUTO_TEST_CASE(a_name_cannot_end_the_script_it_stands_in)
 {
-  const Temporary_file model("x<!--<script>.off", bytes(cube));
+  const Temporary_file model("x<!--<script>.off", contents(cube));
   const Page page(in_quotes(model.path()));
-  BOOST_TEST(page.html.find("x<!--<script>") == std::string::npos);
+  BOOST_TEST(!contains(page.html, "x<!--<script>"));
   BOOST_TEST(page.data["name"].get<std::string>().ends_with("x<!--<script>.off"));
 }
 

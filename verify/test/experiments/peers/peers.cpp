@@ -6,6 +6,7 @@
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/test/support/print_outcome.h"
+#include "verify/test/support/program.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,16 +16,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <fstream>
 #include <memory>
-#include <ostream>
-#include <string>
 #include <thread>
 #include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_peers)
 
@@ -35,10 +32,9 @@ using kernel::Question;
 using verify::Object_case;
 using verify::Object_subject;
 using verify::Outcome;
+using verify::program;
 
 namespace {
-
-const std::string program = TETRACONE_PROGRAM;
 
 std::shared_ptr<const covering::Polyhedron> shared(covering::Polyhedron polyhedron)
 {
@@ -319,14 +315,7 @@ BOOST_AUTO_TEST_CASE(a_worker_that_hangs_dies_with_the_program_that_asked_it)
   BOOST_TEST(worker > 0);
   ::kill(asker, SIGKILL);
   ::waitpid(asker, nullptr, 0);
-  // An orphan may be gone or not yet reaped.
-  const auto has_ended = [worker] {
-    std::ifstream status("/proc/" + std::to_string(worker) + "/stat");
-    std::string number, name, state;
-    return !(status >> number >> name >> state) || state == "Z";
-  };
-  for (int k = 0; k < 1000 && !has_ended(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  BOOST_TEST(has_ended());
+  BOOST_TEST(verify::ends_soon(worker));
   ::close(ends[0]);
   ::close(ends[1]);
 }

@@ -5,22 +5,16 @@
 #include "experiments/peers/check_subject.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/test/support/print_outcome.h"
-#include "verify/test/support/temporary_file.h"
+#include "verify/test/support/program.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <unistd.h>
-
-#include <array>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <ostream>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <thread>
 
 BOOST_AUTO_TEST_SUITE(test_subject_command)
@@ -230,13 +224,7 @@ BOOST_AUTO_TEST_CASE(nothing_that_it_started_outlives_it)
   pid_t child = 0;
   std::ifstream(number.path()) >> child;
   BOOST_TEST_REQUIRE(child > 0);
-  const auto has_ended = [child] {
-    std::ifstream status("/proc/" + std::to_string(child) + "/stat");
-    std::string id, name, state;
-    return !(status >> id >> name >> state) || state == "Z";
-  };
-  for (int k = 0; k < 500 && !has_ended(); ++k) std::this_thread::sleep_for(10ms);
-  BOOST_TEST(has_ended());
+  BOOST_TEST(verify::ends_soon(child));
 }
 
 BOOST_AUTO_TEST_CASE(the_check_says_what_is_wrong)

@@ -1,7 +1,5 @@
 // Runs `tetracone experiment budget` itself, of two frames.
 
-#include "experiments/scenes/budget_experiment.h"
-
 #include "verify/test/support/csv_rows.h"
 #include "verify/test/support/program.h"
 

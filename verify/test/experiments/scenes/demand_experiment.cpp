@@ -1,7 +1,5 @@
 // Runs `tetracone experiment demand` itself, of three frames.
 
-#include "experiments/scenes/demand_experiment.h"
-
 #include "verify/test/support/csv_rows.h"
 #include "verify/test/support/program.h"
 

@@ -8,7 +8,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <cstddef>
 
 BOOST_AUTO_TEST_SUITE(test_benchmark_workload)
 

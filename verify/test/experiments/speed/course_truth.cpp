@@ -7,10 +7,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_course_truth)
 

@@ -6,9 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_race)
 

@@ -2,11 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <cstddef>
-#include <cstdint>
 #include <set>
 #include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_timed_poses)
 

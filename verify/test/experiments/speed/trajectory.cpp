@@ -7,10 +7,7 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <memory>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_trajectory)
 
@@ -61,27 +58,19 @@ const std::vector<Scene>& scenes()
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(on_the_circle_between_3_and_4_5_percent_collide)
+BOOST_AUTO_TEST_CASE(on_the_circle_3_to_4_5_percent_collide_and_along_the_contour_5_to_10)
 {
   std::uint64_t seed = 1;
   for (const Scene& scene : scenes())
     for (const double ratio : {1, 4, 16}) {
-      const auto poses = circular_trajectory(scene.a, scene.b, ratio, 100, ++seed, scene.collides);
-      const int found = scene.colliding(poses);
-      BOOST_TEST(poses.size() == 100u);
-      BOOST_TEST((found == 3 || found == 4), "seed " << seed << " ratio " << ratio << ": " << found);
-    }
-}
-
-BOOST_AUTO_TEST_CASE(along_the_contour_between_5_and_10_percent_collide)
-{
-  std::uint64_t seed = 1;
-  for (const Scene& scene : scenes())
-    for (const double ratio : {1, 4, 16}) {
-      const auto poses = contour_trajectory(scene.a, scene.b, ratio, 100, ++seed, scene.collides);
-      const int found = scene.colliding(poses);
-      BOOST_TEST(poses.size() == 100u);
-      BOOST_TEST((found >= 6 && found <= 9), "seed " << seed << " ratio " << ratio << ": " << found);
+      const auto circle = circular_trajectory(scene.a, scene.b, ratio, 100, ++seed, scene.collides),
+                 contour = contour_trajectory(scene.a, scene.b, ratio, 100, seed, scene.collides);
+      BOOST_TEST_INFO_SCOPE("seed " << seed << " ratio " << ratio);
+      BOOST_TEST(circle.size() == 100u);
+      BOOST_TEST(contour.size() == 100u);
+      const int on_circle = scene.colliding(circle), on_contour = scene.colliding(contour);
+      BOOST_TEST((on_circle == 3 || on_circle == 4), on_circle);
+      BOOST_TEST((on_contour >= 6 && on_contour <= 9), on_contour);
     }
 }
 

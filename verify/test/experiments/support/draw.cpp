@@ -6,7 +6,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <stdexcept>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_draw)
 
@@ -35,7 +34,7 @@ BOOST_AUTO_TEST_CASE(a_script_that_fails_has_the_last_word)
            what.find("Traceback") == std::string::npos;
   };
   BOOST_CHECK_EXCEPTION(draw("report.py", folder.path()), std::runtime_error, is_one_line);
-  BOOST_CHECK_EXCEPTION(draw("peers_figure.py", folder.path()), std::runtime_error, is_one_line);
+  BOOST_CHECK_EXCEPTION(draw("draw_peers.py", folder.path()), std::runtime_error, is_one_line);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,8 +2,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <string>
-
 BOOST_AUTO_TEST_SUITE(test_sha256)
 
 using tetracone::experiments::sha256;

@@ -33,7 +33,7 @@ using scenes::real;
 
 namespace {
 
-Body_box unit_box() { return Body_box({0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
+Box_corners unit_box() { return Box_corners({0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
 
 Pose turned(const Pose& pose, double angle, const std::array<double, 3>& shift)
 {
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_b
     const std::array<double, 3> centre = scenes::real_vertex(random, 0.4);
     std::array<std::array<double, 3>, 3> half_edge;
     for (auto& edge : half_edge) edge = scenes::real_vertex(random, k % 7 == 0 ? 0 : 0.2);
-    const Body_box box(centre, half_edge);
+    const Box_corners box(centre, half_edge);
     double farthest = 0, farthest_on_course = 0;
     const auto bounds = stray_bounds();
     const double bound = bounds[std::size_t(k) % bounds.size()](course, steps, before, after, box),

@@ -10,11 +10,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <memory>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_case_file)
 

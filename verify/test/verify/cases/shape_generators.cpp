@@ -15,12 +15,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <set>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_shape_generators)
 

@@ -1,15 +1,14 @@
 #include "verify/integer_truth/distance_to_degeneracy.h"
 
 #include "verify/integer_truth/integer_truth.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_distance_to_degeneracy)
@@ -32,11 +31,6 @@ Predicate_case points(const std::array<Vertex, 4>& v, const Vertex& p, const Ver
                       const Vertex& r = {0, 0, 0})
 {
   return {v, p, q, r, Pose(), Pose(), {}};
-}
-
-Object_case object_case(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b, const Pose& pose_b)
-{
-  return {std::make_shared<const Polyhedron>(a), std::make_shared<const Polyhedron>(b), pose_a, pose_b, {}, {}, {}};
 }
 
 void check_near(double value, double expected)
@@ -248,9 +242,7 @@ BOOST_AUTO_TEST_CASE(gaps_between_boxes_are_counted_in_ulps)
 BOOST_AUTO_TEST_CASE(bodies_that_cross_are_as_far_from_degenerate_as_their_elements)
 {
   // A stick through the top of a box: 1/4 from an edge's line, 1/8 above the plane.
-  Polyhedron stick;
-  stick.vertices = {{1.75, 0.5, 0.5}, {1.75, 0.5, 1.125}};
-  stick.add_polygon({0, 1});
+  Polyhedron stick = polygon({{1.75, 0.5, 0.5}, {1.75, 0.5, 1.125}});
   const Polyhedron body = box({-2, -2, -1}, {2, 2, 1});
   const Distance through = distance(object_case(body, Pose(), stick, Pose()));
   check_near(through.log2_ulps, std::log2(0.125) + 51);

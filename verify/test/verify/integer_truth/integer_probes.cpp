@@ -2,14 +2,10 @@
 
 #include "verify/test/support/scenes.h"
 #include "verify/truth/point_truth.h"
-#include "verify/truth/ray_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <array>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_integer_probes)
 
@@ -45,7 +41,7 @@ BOOST_AUTO_TEST_CASE(a_cube_by_hand)
   BOOST_TEST(body.hits({0.5, 0, 0.5}, {1, 0, 0})[0].first == 0);  // in a face
 }
 
-BOOST_AUTO_TEST_CASE(faces_on_a_line_and_holes_are_met_where_they_are)
+BOOST_AUTO_TEST_CASE(faces_on_a_line_are_met_where_they_are)
 {
   scenes::Polyhedron flat;
   flat.vertices = {{0, 0, 0}, {2, 0, 0}, {1, 1, 1}};
@@ -57,16 +53,6 @@ BOOST_AUTO_TEST_CASE(faces_on_a_line_and_holes_are_met_where_they_are)
   BOOST_TEST((body.hits({1, 0, 0}, {-1, 0, 0}) == Hits{{0, 0}}));
   BOOST_TEST((body.hits({0, 0, 0}, {1, 1, 1}) == Hits{{0, 0}, {1, 1}}));
   BOOST_TEST(body.hits({0, 1, 0}, {1, 0, 0}).empty());
-  const auto tunnel = scenes::cube_with_tunnel();
-  const integer_truth::Probed_body around(tunnel);
-  const Ray_truth first(tunnel);
-  scenes::Random random(4);
-  for (int k = 0; k < 60; ++k) {
-    const Vertex from = scenes::grid_vertex(random, 4);
-    Vertex direction = scenes::grid_vertex(random, 2);
-    if (direction == Vertex{0, 0, 0}) direction[0] = 1;
-    BOOST_TEST((around.hits(from, direction) == first(from, direction)));
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,7 @@
-
 #include "verify/integer_truth/integer_truth.h"
 
 #include "verify/integer_truth/integer_body.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -10,8 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_integer_truth)
@@ -28,11 +25,6 @@ using Random = tetracone::verify::scenes::Random;
 using tetracone::kernel::Question;
 
 namespace {
-
-Object_case object_case(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b, const Pose& pose_b)
-{
-  return {std::make_shared<const Polyhedron>(a), std::make_shared<const Polyhedron>(b), pose_a, pose_b, {}, {}, {}};
-}
 
 enum class Meet { apart, nested, surface };
 
@@ -64,22 +56,9 @@ Meet brute_meet(const Brute_body& a, const Pose& pose_a, const Brute_body& b, co
   return meet(collide(placed_a, placed_b, Question::solid), collide(placed_a, placed_b, Question::surface));
 }
 
-Polyhedron dot(const Vertex& at)
-{
-  Polyhedron result;
-  result.vertices = {at};
-  result.add_polygon({0});
-  return result;
-}
-
-/// A face of two corners: an edge there and back.
-Polyhedron stick(const Vertex& from, const Vertex& to)
-{
-  Polyhedron result;
-  result.vertices = {from, to};
-  result.add_polygon({0, 1});
-  return result;
-}
+Polyhedron dot(const Vertex& at) { return polygon({at}); }
+/// An edge there and back.
+Polyhedron stick(const Vertex& from, const Vertex& to) { return polygon({from, to}); }
 
 /// A pose of any kind, its translations on a grid of halves.
 Pose any_pose(Random& random, int reach)
@@ -128,11 +107,7 @@ BOOST_AUTO_TEST_CASE(a_hole_is_a_part_of_its_own)
 {
   // A face with a hole whose loop alone is over a vertex of the other body; both loops doubled, so that nothing is
   // enclosed.
-  Polyhedron sheet;
-  for (const double half : {4.0, 1.0})
-    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-      sheet.vertices.push_back({half * x, half * y, 0});
-  sheet.add_face({{0, 1, 2, 3}, {7, 6, 5, 4}});
+  Polyhedron sheet = holed_square(4, 1);
   sheet.add_face({{3, 2, 1, 0}, {4, 5, 6, 7}});
   BOOST_TEST(meet(sheet, stick({0, 0, -1}, {0, 0, 1})) == Meet::apart);
   BOOST_TEST(meet(sheet, stick({1, 0, -1}, {1, 0, 1})) == Meet::surface);
@@ -244,27 +219,10 @@ BOOST_AUTO_TEST_CASE(small_tetrahedra_meet_as_in_cgals_rationals)
 
 BOOST_AUTO_TEST_CASE(faces_of_any_loops_meet_as_in_cgals_rationals)
 {
-  // Up to three loops of up to five corners of a grid: they cross, repeat and cancel themselves and each other.
   Random random(3);
-  const auto face = [&](int radius) {
-    Polyhedron result;
-    std::vector<std::vector<Index>> loops(integer(random, 1, 3));
-    for (auto& loop : loops) {
-      for (int k = integer(random, 1, 5); k > 0; --k) {
-        loop.push_back(Index(result.vertices.size()));
-        result.vertices.push_back(
-            {double(integer(random, -radius, radius)), double(integer(random, -radius, radius)), 0});
-      }
-      // Some run back the way they came: no area, and yet a plane.
-      if (integer(random, 0, 3) == 0)
-        for (std::size_t k = loop.size(); k-- > 0;) loop.push_back(loop[k]);
-    }
-    result.add_face(loops);
-    return result;
-  };
   int meeting = 0, apart = 0;
   for (int k = 0; k < 2500; ++k) {
-    const Polyhedron a = face(2), b = face(2);
+    const Polyhedron a = any_loops(random, 2), b = any_loops(random, 2);
     const Pose pose_a = k % 3 == 0 ? random_rotation(random, 2) : Pose();
     const Pose pose_b = k % 2 == 0 ? composed(pose_a, translation(integer(random, -1, 1), 0, 0)) : any_pose(random, 1);
     const bool truth = collide(Brute_body(a), pose_a, Brute_body(b), pose_b, Question::surface);
@@ -282,12 +240,11 @@ BOOST_AUTO_TEST_CASE(points_are_in_voxel_solids_where_their_cells_are_full)
   Random random(4);
   for (int k = 0; k < 3; ++k) {
     const Voxels voxels(random, 3);
-    const auto solid = std::make_shared<const Polyhedron>(voxels.solid());
+    const Polyhedron solid = voxels.solid();
     for (int x = -1; x <= 7; ++x)
       for (int y = -1; y <= 7; ++y)
         for (int z = -1; z <= 7; ++z) {
-          const Object_case c = {
-              solid, std::make_shared<const Polyhedron>(dot({x / 2.0, y / 2.0, z / 2.0})), Pose(), Pose(), {}, {}, {}};
+          const Object_case c = object_case(solid, Pose(), dot({x / 2.0, y / 2.0, z / 2.0}), Pose());
           const int where = voxels.where(x, y, z);
           BOOST_TEST(integer_truth::collide(c, Question::surface) == (where == 0));
           BOOST_TEST(integer_truth::collide(c, Question::solid) == (where >= 0));

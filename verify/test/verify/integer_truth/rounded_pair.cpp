@@ -1,17 +1,14 @@
 #include "verify/integer_truth/rounded_pair.h"
 
 #include "tetracone/covering/covering.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_rounded_pair)
 
@@ -63,15 +60,10 @@ BOOST_AUTO_TEST_CASE(what_is_not_rounded_meets_as_in_cgals_rationals)
 BOOST_AUTO_TEST_CASE(a_bent_face_meets_the_edge_that_its_loop_winds_about)
 {
   // A square with a corner a little off the plane of the three others, and an edge through its middle.
-  Polyhedron square;
-  square.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0x1p-40}, {0, 1, 0}};
-  square.add_polygon({0, 1, 2, 3});
+  const Polyhedron square = polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0x1p-40}, {0, 1, 0}});
   const Rounded_body bent{square, {std::array<Index, 3>{0, 1, 3}}};
   const auto meets = [&](const Vertex& from, const Vertex& to) {
-    Polyhedron stick;
-    stick.vertices = {from, to};
-    stick.add_polygon({0, 1});
-    return Rounded_pair({stick, {std::nullopt}}, bent, Question::surface).edge_meets_face(0, 0, 1, 0);
+    return Rounded_pair({polygon({from, to}), {std::nullopt}}, bent, Question::surface).edge_meets_face(0, 0, 1, 0);
   };
   BOOST_TEST(meets({0.5, 0.5, -1}, {0.5, 0.5, 1}));
   BOOST_TEST(meets({0.75, 0.75, 0x1p-60}, {0.75, 0.75, -1}));

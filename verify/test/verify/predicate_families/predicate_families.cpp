@@ -17,7 +17,6 @@
 #include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_predicate_families)
 

@@ -14,7 +14,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_other_constants)
 

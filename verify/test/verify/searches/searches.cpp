@@ -6,7 +6,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <set>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_searches)
 

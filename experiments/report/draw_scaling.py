@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""OUT/scaling.csv -> OUT/scaling.svg, OUT/scaling.pdf, and the fitted exponents on the terminal.  usage: scaling_figure.py OUT"""
+"""OUT/scaling.csv -> OUT/scaling.svg, OUT/scaling.pdf, and the fitted exponents on the terminal.  usage: draw_scaling.py OUT"""
 
 import matplotlib.pyplot as plt
 
-from race_table import COLOURS, GREEN, GREY, OURS, SHORT, answers, fitness, judged, exponent, read, save, wrong
+from race_data import COLOURS, GREEN, GREY, OURS, SHORT, answers, fitness, judged, exponent, read, save, wrong
 from report_style import label_ends
 
 

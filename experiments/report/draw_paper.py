@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""OUT/paper.csv -> OUT/paper.svg, OUT/paper.pdf, and the tables on the terminal.  usage: paper_figure.py OUT
+"""OUT/paper.csv -> OUT/paper.svg, OUT/paper.pdf, and the tables on the terminal.  usage: draw_paper.py OUT
 
 Four questions of JS08 section 4 and 2.3.1 to its own tree: what adjusting bounding tetrahedra costs, which depth suits a relative size, how
 tests go with it, and whether it matters that the moving body turns.
@@ -7,7 +7,7 @@ tests go with it, and whether it matters that the moving body turns.
 
 import matplotlib.pyplot as plt
 
-from race_table import BLUE, GREY, ORANGE, VERMILION, answers, fitness, judged, read, save, wrong
+from race_data import BLUE, GREY, ORANGE, VERMILION, answers, fitness, judged, read, save, wrong
 from report_data import geometric_mean
 
 PUBLISHED = "published"

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""OUT/study.csv -> the price of exactness by regime and kind of contact, on the terminal.  usage: price_table.py OUT
+"""OUT/study.csv -> the price of exactness by regime and kind of contact, on the terminal.  usage: tables_price.py OUT
 
 The adaptive kernel's time over double's on the same tree, and over FCL's, whose answers are wrong at times.
 """

@@ -1,4 +1,4 @@
-"""method_figures.py OUT: the pictures of JS08's method from OUT/method.json, as OUT/figures/method_*.svg and .pdf.
+"""draw_method.py OUT: the pictures of JS08's method from OUT/method.json, as OUT/figures/method_*.svg and .pdf.
 
 Polygons are projected along parallel lines and painted from back to front, so that every figure is made of vectors; a sphere is a circle.
 """

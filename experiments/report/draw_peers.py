@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""OUT/peers.csv -> OUT/peers.svg, OUT/peers.pdf, and the means on the terminal.  usage: peers_figure.py OUT"""
+"""OUT/peers.csv -> OUT/peers.svg, OUT/peers.pdf, and the means on the terminal.  usage: draw_peers.py OUT"""
 
 import math
 
 import matplotlib.pyplot as plt
 
-from race_table import COLOURS, EPECK, EPICK, FCL, GREY, IN_DOUBLE, LAST_FRAME, OURS, PAPER, PUBLISHED, against, answers, course, fitness, in_motion, is_near, judged, read, save, with_interval, wrong
+from race_data import COLOURS, EPECK, EPICK, FCL, GREY, IN_DOUBLE, LAST_FRAME, OURS, PAPER, PUBLISHED, against, answers, course, fitness, in_motion, is_near, judged, read, save, with_interval, wrong
 from report_data import geometric_mean
 
 

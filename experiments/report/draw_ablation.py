@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""OUT/ablation.csv -> OUT/ablation.svg, OUT/ablation.pdf, and the table of steps on the terminal.  usage: ablation_figure.py OUT"""
+"""OUT/ablation.csv -> OUT/ablation.svg, OUT/ablation.pdf, and the table of steps on the terminal.  usage: draw_ablation.py OUT"""
 
 import matplotlib.pyplot as plt
 
-from race_table import BLUE, FCL, GREEN, GREY, LAST_FRAME, OURS, VERMILION, against, answers, fitness, judged, read, save, wrong
+from race_data import BLUE, FCL, GREEN, GREY, LAST_FRAME, OURS, VERMILION, against, answers, fitness, judged, read, save, wrong
 from report_data import geometric_mean
 
 LIMIT = 3  # what the paper's tree may take, of FCL's time

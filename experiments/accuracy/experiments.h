@@ -1,0 +1,55 @@
+#ifndef TETRACONE_EXPERIMENTS_ACCURACY_EXPERIMENTS_H
+#define TETRACONE_EXPERIMENTS_ACCURACY_EXPERIMENTS_H
+
+#include "experiments/support/experiment_options.h"
+
+namespace tetracone::experiments {
+
+/// The experiments of accuracy. Each takes its folder of results as `out`, and throws covering::Input_error when that
+/// cannot be written.
+
+/// Measures the effect of compiler flags on signs. It compiles compiler_probe.cpp with g++ and clang++, where they are
+/// installed, at -O0, -O2 and -O3, with and without contraction of products and sums, -march=native and -ffast-math. It
+/// runs each program and writes OUT/compilers.csv: one row for each compiler, flags, subject and test. A compiler that
+/// refuses, or a program that crashes, is a row of its own. Throws std::runtime_error without a compiler.
+void run_compilers(const Experiment_options& options);
+
+/// Writes cases of all families with their truth, for other libraries. OUT/dataset/ holds cases and predicates, as
+/// JSON Lines and as CSV of the same rows, the polyhedra as triangles in meshes/NAME.off, and families.csv. README.md
+/// is the card: it describes every column and every family, as croissant.json does for programs. A reader and a scorer
+/// in Python come with example.py, which runs a toy library. The licence, the version and SHA256SUMS complete it.
+/// Every number is exact: decimals of doubles that read back as equal, or "n/d". `cases` is their number per family
+/// and level.
+void export_dataset(const Experiment_options& options);
+
+/// Lists every constant of an error bound with its value in the code, the value that is proved to be enough, and the
+/// worst error that hill climbing finds, or why no search exists. Writes OUT/error_bounds.csv, one row per constant.
+/// Throws std::runtime_error without Gappa.
+void run_error_bounds(const Experiment_options& options);
+
+/// Measures how often each method of deciding whether moving primitives meet is wrong, and how long it takes. It asks
+/// ten times `cases` pairs of each family, judged by the truth of verify/truth. It also asks all queries in `queries`, a
+/// folder in the form of Wang et al. (2021), judged by their own truth, unless `queries` is empty. The first times of
+/// the subject `adaptive` are judged too. Writes OUT/motion.csv, one row per family and subject, and
+/// OUT/motion_relations.csv: how often each metamorphic relation held. Throws covering::Input_error for bad queries.
+void run_motion(const Experiment_options& options);
+
+/// Maps the answers of each arithmetic at size x size neighbouring doubles about a degenerate position, in the manner
+/// of Kettner, Mehlhorn, Pion, Schirra and Yap (2008, Fig. 2), for predicates in 3D. These are the sign of a
+/// barycentric coordinate, segment against triangle, the classification in a cone, and the collision of two bodies. A
+/// point near (1/2, 1/2, 1/2) moves by one double per column in x and one per row in y; everything is under one exact
+/// rotation, which rounding kernels must round. Writes OUT/sign_maps.csv, one row for each map, subject and row of the
+/// grid: -, 0 or + per dot. Throws std::logic_error when the exact picture differs from the truth, which is checked in
+/// every 16th row and column. Requires size >= 1.
+void run_sign_maps(const Experiment_options& options);
+
+/// Measures the smallest change that matters. A body moves straight at another, everything under one exact rotation,
+/// and the exact answer changes between two neighbouring doubles of its path. It counts how many doubles away each
+/// kernel's own answer changes. Writes OUT/stability.csv, one row for each motion, path and subject: the exact
+/// threshold (the last double without contact), and the distance of the subject's threshold, in doubles and in ulps of
+/// the exact one. Throws std::logic_error when the truth by brute force denies an exact threshold.
+void run_stability(const Experiment_options& options);
+
+}  // namespace tetracone::experiments
+
+#endif

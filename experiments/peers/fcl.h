@@ -1,0 +1,79 @@
+#ifndef TETRACONE_EXPERIMENTS_PEERS_FCL_H
+#define TETRACONE_EXPERIMENTS_PEERS_FCL_H
+
+#include "experiments/peers/peer.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// FCL (Debian's package) on its trees of doubles, as its users run it. What prepares it returns null when the program
+/// was built without FCL.
+namespace tetracone::experiments {
+
+/// BVHModel<OBBRSS>: one contact, no cost. It always answers the *surface* question, since it has no solids. Faces are
+/// triangulated. Its transforms are rigid, so a pose must be a rotation times a power of two; the scale is applied to
+/// the body's vertices, exactly.
+std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b,
+                                           double scale_b);
+
+/// The contacts of two triangle meshes: BVHModel<OBBRSS>, without a limit of contacts.
+class Fcl_contacts {
+ public:
+  using Pair = std::pair<covering::Index, covering::Index>;  ///< a triangle of A and one of B
+
+  virtual ~Fcl_contacts() = default;
+  /// Lists the contacts under these rigid poses, and returns their number.
+  virtual std::size_t list(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  /// Returns the pairs listed last, sorted, each once.
+  virtual std::vector<Pair> pairs() const = 0;
+};
+
+/// With `with_points` it computes points, normals and depths too. Requires triangle meshes.
+std::unique_ptr<Fcl_contacts> prepare_fcl_contacts(const covering::Polyhedron& a, const covering::Polyhedron& b,
+                                                   bool with_points);
+
+/// Another library's distance of two meshes, prepared once.
+class Distance_peer {
+ public:
+  virtual ~Distance_peer() = default;
+  /// Returns the distance of the surfaces, in double; for meshes that meet, whatever the library returns.
+  virtual double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+};
+
+/// The distance with default settings, on trees of oriented boxes with swept spheres (OBBRSS).
+std::unique_ptr<Distance_peer> fcl_obbrss_distance(const Peer_mesh& a, const Peer_mesh& b);
+/// The distance on trees of swept spheres alone (RSS), otherwise as above.
+std::unique_ptr<Distance_peer> fcl_rss_distance(const Peer_mesh& a, const Peer_mesh& b);
+
+/// Another library's first contact of two moving meshes, prepared once.
+class Motion_peer {
+ public:
+  virtual ~Motion_peer() = default;
+  /// Returns its time in [0, 1] for B's motion from one pose to another while A rests; nothing if it finds none.
+  virtual std::optional<double> first_contact(const kernel::Pose& from, const kernel::Pose& to) = 0;
+};
+
+/// continuousCollide by conservative advancement, on trees of oriented boxes with swept spheres, with its default
+/// settings: steps until bodies are within 1e-4 of the time.
+std::unique_ptr<Motion_peer> fcl_advancement(const Peer_mesh& a, const Peer_mesh& b);
+
+/// continuousCollide with its default method: static questions at ten steps.
+std::unique_ptr<Motion_peer> fcl_steps(const Peer_mesh& a, const Peer_mesh& b);
+
+/// A motion peer by its name.
+struct Named_motion_peer {
+  const char* name;
+  const char* note;  ///< what it really answers
+  std::unique_ptr<Motion_peer> (*make)(const Peer_mesh& a, const Peer_mesh& b);
+};
+
+/// Returns the motion peers of this build.
+std::span<const Named_motion_peer> motion_peers();
+
+}  // namespace tetracone::experiments
+
+#endif

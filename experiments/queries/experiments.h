@@ -1,0 +1,41 @@
+#ifndef TETRACONE_EXPERIMENTS_QUERIES_EXPERIMENTS_H
+#define TETRACONE_EXPERIMENTS_QUERIES_EXPERIMENTS_H
+
+#include "experiments/support/experiment_options.h"
+
+namespace tetracone::experiments {
+
+/// The experiments of queries. Each writes its rows to `out`, and prints them as a table. Each throws
+/// covering::Input_error when `out` cannot be written.
+
+/// Measures how fast all contacts of two colliding bodies of 7172 triangles are found, and how many of FCL's are wrong.
+/// It asks in turn the poses of contour and circular trajectories in which surfaces meet, and keeps the fastest time of
+/// each. `race_frames` counts the poses of each trajectory, including those in which the bodies are apart. Writes
+/// out/contacts.csv, one row per method and trajectory.
+void run_contacts(const Experiment_options& options);
+
+/// Measures the cost and the error of a distance: the fast tree, exact and in double, against FCL's trees in one run.
+/// The bodies are a star-shaped body against itself on both trajectories, of about 7000 triangles and, with `full`,
+/// 70000; and cubes that touch or are 2^-k apart. It also asks whether bodies are within a tenth of their size. Writes
+/// out/distance.csv, one row per subject and trajectory.
+void run_distance(const Experiment_options& options);
+
+/// Measures the cost of the exact first contact of two moving bodies, in static questions of the same tree. It also
+/// counts the contacts that static questions at 10, 100 and 1000 times miss, and those that FCL's continuousCollide
+/// misses. The motions are steps of the contour trajectory and of the circular one, and throws through a body and
+/// through a thin plate. B moves, `race_frames` times each. Our own first contacts are the truth; tests judge them.
+/// Writes out/moving_bodies.csv, one row per course and subject. It also measures a face that lands flat on a face
+/// against the same motion tilted by a thousandth. Writes out/landings.csv, one row per pair of bodies and motion.
+void run_moving_bodies(const Experiment_options& options);
+
+/// Measures the cost of locating a point in a solid, and of the first hit of a ray. The methods are the table over
+/// cones, the boxes of the fast tree, the paper's tetra-tree, exact and in double, and CGAL's Side_of_triangle_mesh and
+/// AABB_tree. The bodies are two generated ones of 7,000 and 70,000 triangles, and `meshes`. Points are random in their
+/// box and within 1e-3 of their surface, `points` of each, and as many rays. Times are of the processor; set-up begins
+/// with the file. The truth judges every answer. Writes out/points.csv. Throws covering::Input_error for an invalid
+/// model.
+void run_points(const Experiment_options& options);
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,31 @@
+#ifndef TETRACONE_EXPERIMENTS_SUPPORT_EXPERIMENT_OPTIONS_H
+#define TETRACONE_EXPERIMENTS_SUPPORT_EXPERIMENT_OPTIONS_H
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// The options of `tetracone experiment`. Each experiment takes those that its row in the command's list names.
+struct Experiment_options {
+  std::filesystem::path out = "out";
+  std::filesystem::path models;               ///< the folder that fetch_models.sh filled
+  std::filesystem::path model;                ///< of `method`; empty: a generated one
+  std::filesystem::path queries;              ///< of `motion`: a folder of published queries; empty: none
+  std::vector<std::filesystem::path> meshes;  ///< of `points`: closed meshes of triangles, beside the generated
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 20;
+  int frames = 60, rotations = 100;  ///< of `study`: poses of each trajectory, and of each degenerate scenario
+  int race_frames = 400;             ///< poses of each trajectory of the others
+  double race_seconds = 0;           ///< processor time after which a contestant is asked no more; 0: each race's own
+  int size = 256, points = 20'000;
+  bool full = false;        ///< larger objects, or more of everything
+  bool rows_alone = false;  ///< of `study`: no report
+
+  double seconds_or(double own) const { return race_seconds > 0 ? race_seconds : own; }
+};
+
+}  // namespace tetracone::experiments
+
+#endif
