@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -16,17 +15,6 @@ BOOST_AUTO_TEST_SUITE(test_moving_bodies_truth)
 using namespace tetracone::verify;
 using tetracone::kernel::Question;
 using tetracone::kernel::Time_bounds;
-
-namespace {
-
-/// TETRACONE_ROUNDS times as many cases.
-std::uint64_t rounds()
-{
-  const char* text = std::getenv("TETRACONE_ROUNDS");
-  return text == nullptr ? 1 : std::strtoull(text, nullptr, 10);
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(wrong_first_contacts_are_noticed)
 {
