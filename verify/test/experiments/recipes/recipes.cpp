@@ -69,7 +69,9 @@ BOOST_AUTO_TEST_CASE(a_subject_is_asked)
 BOOST_AUTO_TEST_CASE(an_experiment_writes_its_rows)
 {
   const verify::Temporary_folder folder("halvings");
-  tetracone::experiments::run_halvings({.out = folder.path()});
+  tetracone::experiments::Experiment_options options;
+  options.out = folder.path();
+  tetracone::experiments::run_halvings(options);
   std::ifstream in(folder.path() / "halvings.csv");
   const std::string rows(std::istreambuf_iterator<char>(in), {});
   // 1 + 2^-53 is 1 in doubles, and 1 + 2^-24 in floats.
