@@ -28,8 +28,8 @@ void export_dataset(const Experiment_options& options);
 void run_error_bounds(const Experiment_options& options);
 
 /// Measures how often each method of deciding whether moving primitives meet is wrong, and how long it takes. It asks
-/// ten times `cases` pairs of each family, judged by the truth of verify/truth. It also asks all queries in `queries`, a
-/// folder in the form of Wang et al. (2021), judged by their own truth, unless `queries` is empty. The first times of
+/// ten times `cases` pairs of each family, judged by the truth of verify/truth. It also asks all queries in `queries`,
+/// a folder in the form of Wang et al. (2021), judged by their own truth, unless `queries` is empty. The first times of
 /// the subject `adaptive` are judged too. Writes OUT/motion.csv, one row per family and subject, and
 /// OUT/motion_relations.csv: how often each metamorphic relation held. Throws covering::Input_error for bad queries.
 void run_motion(const Experiment_options& options);

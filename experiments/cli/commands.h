@@ -3,12 +3,13 @@
 
 #include <CLI/CLI.hpp>
 
-/// The commands of the program, each defined in NAME_command.cpp. A command throws covering::Input_error for bad input and
-/// for a file that cannot be written, and CLI::ValidationError for words that it does not know or that exclude each other.
+/// The commands of the program, each defined in NAME_command.cpp. A command throws covering::Input_error for bad input
+/// and for a file that cannot be written, and CLI::ValidationError for words that it does not know or that exclude each
+/// other.
 namespace tetracone::experiments {
 
-/// `check MODEL...` describes each model. Throws CLI::RuntimeError(1) when one is no closed polyhedron, and with --strict
-/// when one has a face that is not exactly planar.
+/// `check MODEL...` describes each model. Throws CLI::RuntimeError(1) when one is no closed polyhedron, and with
+/// --strict when one has a face that is not exactly planar.
 void add_check_command(CLI::App& app);
 
 /// `save MODEL --out FILE.body`: the model with its tree, which is accepted wherever a model is.
@@ -33,8 +34,8 @@ void add_scene_command(CLI::App& app);
 /// `motion A B`: when two moving models first meet, exactly, one line per motion.
 void add_motion_command(CLI::App& app);
 
-/// `ccd QUERIES.csv...`: whether a moving vertex and face, or two moving edges, meet: 1 or 0, exactly, one line per query.
-/// Throws CLI::RuntimeError(1) when a file gives another answer.
+/// `ccd QUERIES.csv...`: whether a moving vertex and face, or two moving edges, meet: 1 or 0, exactly, one line per
+/// query. Throws CLI::RuntimeError(1) when a file gives another answer.
 void add_ccd_command(CLI::App& app);
 
 /// `verify`: a campaign, into a database. Throws CLI::RuntimeError(1) when an exact subject was wrong.
@@ -53,8 +54,8 @@ void add_experiment_command(CLI::App& app);
 /// `report`: the tables of a campaign's database, the notes on other libraries and formulations, and the page.
 void add_report_command(CLI::App& app);
 
-/// `view A [B] --out FILE.html`: one self-contained page in 3D, which needs no network. It shows the bodies, their poses
-/// and answers, and the paper's covering, tree and bounding volumes.
+/// `view A [B] --out FILE.html`: one self-contained page in 3D, which needs no network. It shows the bodies, their
+/// poses and answers, and the paper's covering, tree and bounding volumes.
 void add_view_command(CLI::App& app);
 
 }  // namespace tetracone::experiments

@@ -31,8 +31,8 @@ constexpr std::size_t most_faces = 30000;
 
 using Deadline = Command_process::Deadline;
 
-/// Starts `program peer-worker NAME`. Throws std::runtime_error when it cannot be started, or does not report within half
-/// a minute that it is ready.
+/// Starts `program peer-worker NAME`. Throws std::runtime_error when it cannot be started, or does not report within
+/// half a minute that it is ready.
 std::unique_ptr<Command_process> started(const std::string& program, const std::string& name)
 {
   const auto refuse = [&](const std::string& why) -> void {

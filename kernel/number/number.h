@@ -5,7 +5,6 @@
 
 #include <gmpxx.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -30,7 +29,7 @@ inline bool is_one_or_more(std::string_view text)
 {
   const auto letter = text.find_first_of("eE");
   const std::string_view digits = text.substr(0, letter);
-  const auto point = static_cast<long>(std::min(digits.find('.'), digits.size())),
+  const auto point = static_cast<long>(digits.substr(0, digits.find('.')).size()),
              first = static_cast<long>(digits.find_first_of("123456789"));
   // The first digit that is not 0 stands for its value times 10^power.
   const long power = first < point ? point - first - 1 : point - first;

@@ -38,8 +38,8 @@ inline Polyhedron holed_square(double outer, double inner, double x = 0)
   return frame;
 }
 
-/// A face of up to three loops of up to five corners of a grid: they cross, repeat and cancel themselves and each other.
-/// Some run back the way they came: no area, and yet a plane.
+/// A face of up to three loops of up to five corners of a grid: they cross, repeat and cancel themselves and each
+/// other. Some run back the way they came: no area, and yet a plane.
 inline Polyhedron any_loops(Random& random, int radius)
 {
   Polyhedron result;
