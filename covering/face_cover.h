@@ -146,8 +146,8 @@ class Face_cover {
     return false;
   }
 
-  /// True when triangle `t` lies beyond a side of triangle `s`, or touches it. One of two triangles without a common inner
-  /// point has such a side.
+  /// True when triangle `t` lies beyond a side of triangle `s`, or touches it. One of two triangles without a common
+  /// inner point has such a side.
   bool is_beyond_side(std::span<const Triangle> triangles, std::size_t s, std::size_t t) const
   {
     for (std::size_t k = 0; k < 3; ++k)
