@@ -290,15 +290,15 @@ class Bvh8_front {
   }
 
   bool holds_ = false;
+  Front_policy policy_;
+  std::uint64_t leaf_pairs_ = 0;
+  std::size_t poses_followed_ = 0;
+  double least_gap_ = 0;  // over the entries asked in this pose
   Front_entries entries_;
   std::vector<std::uint32_t> expired_;
   kernel::Box_corners corners_;  // of B's box
   kernel::Placement at_;         // B's, when the front was last brought to a pose
   kernel::Course course_;        // B's
-  std::size_t poses_followed_ = 0;
-  double least_gap_ = 0;  // over the entries asked in this pose
-  std::uint64_t leaf_pairs_ = 0;
-  Front_policy policy_;
 };
 
 }  // namespace tetracone::tetratree
