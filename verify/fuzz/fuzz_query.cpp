@@ -3,6 +3,7 @@
 // box of a scene may separate bodies that meet.
 
 #include "tetracone/kernel/predicate/kernels.h"
+#include "tetracone/tetratree/memory/pair_certificate.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/scene/body_box.h"
