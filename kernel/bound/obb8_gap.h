@@ -15,7 +15,7 @@
 ///
 /// The comparison of obb8_overlap.h finds the axis of the largest gap. Its slack suffices to tell whether a gap is
 /// positive: boxes whose centres are farther apart than the sum of their supports are apart, whatever is computed. The
-/// size of a gap also depends on the distance of the centres.
+/// error of a gap's size also grows with the distance of the centres.
 namespace tetracone::kernel {
 
 /// Upper bound of the error of a gap, relative to M, beside the position's error (verify/proofs/gap_proofs.h). M =
@@ -74,8 +74,8 @@ struct alignas(64) Carried_box {
   static constexpr double way_rounding = 16 * 0x1p-24;
 
   /// Upper bound of the error of n . (L_t h_j - L_0 h_j) in float, relative to (|L_t| + |L_0|) |h_j|, the sum over j
-  /// included (verify/proofs/gap_proofs.h). Columns, half edges and n are rounded, images have 3 roundings, their
-  /// difference one, products with n and the sums 6.
+  /// included (verify/proofs/gap_proofs.h). Columns are rounded and images have 3 roundings, all these sqrt(3) times.
+  /// Half edges, n and the images' difference are rounded, and products with n and the sums have 6.
   static constexpr double edge_rounding = 32 * 0x1p-24;
 
   /// Upper bound of the error of three sums of two coordinates of magnitude at most 2, and of underflow:
@@ -136,7 +136,8 @@ struct alignas(32) Carrier {
   }
 };
 
-/// A lower bound of a gap, and an upper bound of the loss of it per step of the course, as long as it is positive.
+/// A lower bound of the gaps of some lanes, and its rate: after k steps of the course, gap - k rate is still one, as
+/// long as it is positive.
 struct Gap_and_rate {
   double gap, rate;
 };
@@ -168,8 +169,8 @@ inline void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carrie
   fastest(carrier, from, lane, box);
 }
 
-/// Returns the least gap of the lanes `of_lanes`, a set of bits, when the box is carried again. `going` holds the
-/// elements that move on.
+/// Returns a lower bound of the gaps of the lanes `of_lanes`, a set of bits, when the box is carried again, and its
+/// rate; a gap of 0 if nothing is known. `going` holds the elements that move on.
 inline Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
                                     const Going_box& going, const Carrier& carrier)
 {

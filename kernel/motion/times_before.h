@@ -17,8 +17,8 @@ namespace tetracone::kernel {
 /// Features that land together have forms that vanish at T. No algebraic number is made for each of them. Forms are
 /// given over the times from the start to a dyadic end, T or a little later. A form without variations there has one
 /// sign (Descartes). Where T is before the end, G is a form whose only root there is T, if one is known. A form with
-/// the root T is G times a quotient, and the signs of both are known by their variations. A form equal to G up to a
-/// factor is the plainest case.
+/// the root T is G times a quotient. If the quotient has no variations, both have one sign before T. A form equal to G
+/// up to a factor is the plainest case.
 class Times_before {
  public:
   /// The times from the start of the cell `from` up to `before`, which must be later. May refine `before`.
@@ -77,8 +77,8 @@ class Times_before {
 
   Integer first_, last_;
   unsigned k_;
-  Integer s_, t_;  // T's cell starts at s : t between the start and the end; 0 where it starts before them
-  std::optional<Integer_form> root_;  // G; nothing where T is the end, and where T is not the first root
+  Integer s_, t_;  // T's cell starts at s : t between the start and the end; 0 where it starts no later
+  std::optional<Integer_form> root_;  // G; nothing where T is the end, or may not be the only root
 };
 
 }  // namespace tetracone::kernel

@@ -45,7 +45,7 @@ class Adaptive_filter : public Adaptive_points {
     return beyond(cross_component(bi, bj, ci, cj), adaptive_bound::normal_bound(mi, mj, error));
   }
 
-  /// Returns the sign of a[axis] - b[axis], or undecided.
+  /// Returns the sign of a[axis] - b[axis], or undecided. It is always decided where both errors are 0.
   static Decision filtered_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
     const double error = a.error + b.error;

@@ -12,7 +12,7 @@ namespace tetracone::tetratree {
 /// A box of a tree: a lane of a node. It is kept as one number, 8 node + lane, of which a vector holds eight.
 class Box_id {
  public:
-  /// The root's box.
+  /// The box of the whole tree: lane 0 of node 0.
   constexpr Box_id() = default;
   constexpr Box_id(std::uint32_t node, int lane) : number_(per_node * node + std::uint32_t(lane)) {}
   static constexpr Box_id from_number(std::uint32_t number)

@@ -36,7 +36,8 @@ struct Axis_bounds {
 /// boxes to compare.
 inline double sah_weight(int count) { return std::sqrt(double(count)); }
 
-/// Returns the SAH's cost of one side of a cut; `weight` is the `sah_weight` of its count.
+/// Returns half the SAH's cost of one side of a cut, which orders cuts alike; `weight` is the `sah_weight` of its
+/// count.
 template <class Number>
 Number sah_cost(Number weight, const Axis_bounds& bounds)
 {

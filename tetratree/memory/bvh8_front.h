@@ -27,9 +27,9 @@ namespace tetracone::tetratree {
 /// leaves, or of boxes still to be opened. It has a lower bound of their gap. Gaps and motions are in A's local units;
 /// A stands still.
 ///
-/// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later poses
-/// are multiples of that step. The stray is an upper bound of the distance between a point and where the course
-/// predicts it.
+/// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later
+/// motions are taken as multiples of that step. The stray is an upper bound of the distance between a point and where
+/// the course predicts it.
 ///
 /// A step takes at most the entry's rate off a gap along an axis fixed to A, and at most the pace off any distance. The
 /// stray takes more. An entry holds until these have used up its gap (`Front_entries`). Then only that entry is tested
@@ -42,9 +42,9 @@ namespace tetracone::tetratree {
 /// - Basch, Guibas and Hershberger, "Data structures for mobile data" (1999): certificates that require a course that
 ///   is given and followed exactly.
 ///
-/// Motions are bounded by the two relative maps alone (`kernel::stray_bound`), with their errors. If a map's error is
-/// unknown, or a map is no similarity, nothing is certified and each descent begins at the root. Descents also begin
-/// there when steps are so large that the front does not pay (`Front_policy`).
+/// Motions are bounded by B's maps at the last pose and at this one alone (`kernel::stray_bound`), with their errors.
+/// If a map's error is unknown or above `most_error`, or a map is no similarity, nothing is certified and each descent
+/// begins at the root. Descents also begin there when steps are so large that the front does not pay (`Front_policy`).
 ///
 /// A front belongs to one pair of placed bodies, whichever query object uses it. Pairs of the same two trees, in the
 /// same order, may share a query object and keep a front each. A front is not for two threads at a time.
@@ -74,7 +74,7 @@ class Bvh8_front {
 
   // For the query.
 
-  /// The relation of solids whose surfaces shared no point, if nothing has met since.
+  /// The relation of solids whose surfaces shared no point, unless one surface may have passed the other since.
   std::optional<kernel::Relation> relation;
 
   /// True when gaps can be certified under these maps: both are similarities, with errors of at most `most_error` of
@@ -101,7 +101,8 @@ class Bvh8_front {
   static constexpr double most_strayed = 0.25,  ///< a fraction of the motion
       most_at_rest = 0x1p-30;                   ///< the stray that bodies at rest may show, in local units
 
-  /// True when the next descent from the root is to make a front.
+  /// True when the next descent from the root is to make a front. Ask once a descent: each false answer shortens the
+  /// policy's pause.
   bool is_to_be_made() { return policy_.makes_front(); }
 
   /// Makes a front by a descent from the root. True when leaf_gap(boxes), a Leaf_gap, finds elements that meet.

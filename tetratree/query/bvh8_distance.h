@@ -41,15 +41,16 @@ struct Nearest_pair {
 /// upper bounds come from the pair that was nearest in the last pose, and from the pair that the nearest boxes lead to.
 ///
 /// Distances of triangles are enclosed in double. Almost always one pair is left that may be the nearest; its distance
-/// is enclosed in double-double. Exact numbers decide where that enclosure does not determine the nearest double, or
-/// does not prove that no other pair is nearer. Over a kernel that rounds, the least distance in double is the answer.
+/// is enclosed in double-double. Exact numbers decide where that does not determine the nearest double or prove that no
+/// other pair is nearer, and always for `nearest`. Over a kernel that rounds, the least distance in double is the
+/// answer.
 ///
 /// Both trees, and their models, must outlive the query object. The constructor and every query throw
 /// kernel::Unsound_floating_point when floating point is not as exact answers need it.
 template <class K = kernel::Adaptive>
 class Bvh8_distance {
  public:
-  /// True when K's signs are exact, so that the answer is the double nearest to the distance.
+  /// True when K's signs are exact: the distance of bodies that K finds apart is then the nearest double.
   static constexpr bool is_exact = kernel::Kernel_traits<K>::exact_signs;
   /// False for the kernel that decides every pair of triangles exactly, without bounds in double.
   static constexpr bool is_filtered = !std::is_same_v<K, kernel::Rational_kernel>;
@@ -93,7 +94,8 @@ class Bvh8_distance {
     return told(settle(kernel::Nearest_points::are_asked_for));
   }
 
-  /// True when the distance is at most `limit`. Requires as above.
+  /// True when the distance is at most `limit`; false for a tree without elements. K may round. Requires det M != 0 of
+  /// both poses, and closed polyhedra for `Question::solid`.
   bool within(const Pose& pose_a, const Pose& pose_b, Question question, const kernel::Rational& limit)
   {
     kernel::require_sound_floating_point();
@@ -255,8 +257,8 @@ class Bvh8_distance {
     if constexpr (is_exact) candidates_.push_back(std::move(pair));
   }
 
-  /// Finds all pairs of elements that may be the nearest. It opens up to four pairs per round, so that their memory
-  /// accesses overlap.
+  /// Finds all pairs of elements that may be the nearest, or stops where the upper bound proves that the limit holds.
+  /// It opens up to four pairs per round, so that their memory accesses overlap.
   void search()
   {
     Box_pair root{0, {size_of_root(0), size_of_root(1)}, {}};
@@ -501,8 +503,9 @@ class Bvh8_distance {
     });
   }
 
-  /// Moves the nearest candidate to the front. Ties go to the fewest corners of B's feature, then A's last element,
-  /// then B's first, in whatever order candidates were found. Requires a candidate.
+  /// Removes the candidates beyond the upper bound, and moves the nearest one to the front. Ties go to the fewest
+  /// corners of B's feature, then A's last element, then B's first, in whatever order candidates were found. Requires a
+  /// candidate.
   void bring_nearest_first()
   {
     std::erase_if(candidates_, [this](const Candidate& c) { return c.gap.low > high_; });
@@ -554,7 +557,8 @@ class Bvh8_distance {
     return std::move(*best);
   }
 
-  /// Returns a divisor of squares in exact coordinates, times the square of their weight.
+  /// Returns the divisor of a square in space: `bottom`, its divisor in exact coordinates, times the square of their
+  /// weight.
   kernel::Rational of_space(const kernel::Exact_number& bottom) const
   {
     const kernel::Exact_number weight = exact_[0].weight();

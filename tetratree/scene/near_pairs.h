@@ -18,11 +18,11 @@ namespace tetracone::detail {
 
 /// The near pairs of a scene, those whose wide boxes meet, and which of them collide.
 ///
-/// A frame asks a near pair in this order, until one of them answers:
+/// A frame asks a near pair in this order, until one of them answers (near_pairs.cpp):
 /// 1. the certificate of the last answer (`are_apart`, memory/pair_certificate.h);
-/// 2. the boxes along the world's axes, as the bodies carry them (body_box.h);
-/// 3. these boxes found anew, unless the bodies collided in the last answer;
-/// 4. for a long body, boxes turned with the bodies (turned_box.h). They come before 2: their gaps are mostly larger;
+/// 2. for a pair with a long body, boxes turned with the bodies (turned_box.h): their gaps are mostly larger;
+/// 3. the boxes along the world's axes, as the bodies carry them (body_box.h);
+/// 4. for a pair without a long body, these boxes found anew, unless the bodies collided in the last answer;
 /// 5. the boxes found by the models' trees, which are made now if testing all pairs of faces would cost more;
 /// 6. the query of the two models (`Query::collide`).
 class Near_pairs {
@@ -41,7 +41,8 @@ class Near_pairs {
 
   /// Updates the pairs of bodies that have new wide boxes.
   void find(const std::vector<Number>& bodies);
-  /// Asks the pairs of bodies that have moved, and those left open, until the deadline. Counts what it does.
+  /// Asks the pairs of bodies that have moved, and those left open. After the deadline it still asks boxes, but begins
+  /// no query. Counts what it does.
   void ask(const Deadline& deadline, Frame_statistics& statistics);
 
   /// Returns the pairs that collided in the last answer.

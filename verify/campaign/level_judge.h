@@ -22,7 +22,7 @@
 /// The judge of every level: who is asked what, and what of an answer is counted.
 namespace tetracone::verify {
 
-/// Every such case is tried with relations.
+/// One in this many of a family's cases is tried with relations.
 inline constexpr std::uint64_t relation_stride = 4;
 
 /// A batch, and who is asked it.
@@ -36,7 +36,7 @@ struct Job {
   const Done& done;
 };
 
-/// The subjects that have not been asked all cases of a batch before; the truth is one of them.
+/// For each subject, the first case of a batch that it has not been asked before; the truth counts as a subject.
 class Wanted {
  public:
   template <class Level>
@@ -93,7 +93,7 @@ bool has_fractions(const Case& c)
 
 /// The page of a level. learn(c) finds a case's truth, or throws Truths_disagree. truths() is what the truth says of a
 /// question, or nothing where the question is not asked. statements() is what an answer says. relations() lists the
-/// level's relations. A page replaces any of the members here.
+/// level's relations. Each page defines these four, and may hide any member of this class by its own.
 template <class Level_>
 class Page {
  public:
@@ -106,7 +106,7 @@ class Page {
   using Statements = std::vector<Statement>;
   using Truths = std::vector<True_statement>;
 
-  /// True: all relations are tried with a case, as with lists. False: one in turn.
+  /// True: all relations are tried with a case, as for lists and scenes. False: one is, and another with the next case.
   static constexpr bool tries_all_relations = false;
   static constexpr bool counts_not_applicable = true;
 

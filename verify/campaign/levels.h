@@ -37,7 +37,8 @@ auto pointers(const Families&... lists)
 }
 
 /// The levels of campaigns. A level has its types, its name in the database, its families and subjects, the cases that
-/// one thread is given at once, and a judge. The judge is the level's page, `..._level.cpp`.
+/// one thread is given at once, and a judge. The judge is the level's page: `..._level.cpp`, or for several levels
+/// `list_levels.cpp` and `probe_levels.cpp`.
 namespace levels {
 
 struct Predicates : Predicate_level {
