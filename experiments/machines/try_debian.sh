@@ -24,7 +24,8 @@ commands=("$@")
 ((EUID == 0)) || fail "not root; a Debian of its own is made as root"
 command -v mmdebstrap > /dev/null || fail "no mmdebstrap; expected the package mmdebstrap"
 
-mirror=$(sed -n 's/^URIs: *//p; s/^deb \(\[[^]]*\] \)\?\([^ ]*\) .*/\2/p' /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources 2> /dev/null | grep -v security | head -n 1)
+# Apt keeps its lists in one of two files; sed fails where one is not there.
+mirror=$(sed -n 's/^URIs: *//p; s/^deb \(\[[^]]*\] \)\?\([^ ]*\) .*/\2/p' /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources 2> /dev/null | grep -v security | head -n 1 || true)
 [[ -n $mirror ]] || fail "no mirror of Debian in apt's lists; expected one in /etc/apt/sources.list or /etc/apt/sources.list.d/debian.sources"
 folder=${keep:-$(mktemp -d "${TMPDIR:-/tmp}/tetracone_debian.XXXXXX")}
 [[ -n $keep ]] || trap 'rm -rf --one-file-system "$folder"' EXIT
