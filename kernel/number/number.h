@@ -38,7 +38,7 @@ inline bool is_one_or_more(std::string_view text)
   if (exponent.starts_with('+')) exponent.remove_prefix(1);
   long written = 0;
   const auto [rest, error] = std::from_chars(exponent.data(), exponent.data() + exponent.size(), written);
-  return error == std::errc::result_out_of_range ? !exponent.starts_with('-') : power >= -written;
+  return error == std::errc::result_out_of_range ? !exponent.starts_with('-') : written >= -power;
 }
 
 }  // namespace detail

@@ -69,15 +69,7 @@ class Query:
         poses_a1: Union[Numbers, None] = None,
         kind: Literal["linear", "rigid"] = "linear",
     ) -> Union[npt.NDArray[np.float64], tuple[float, float], None]: ...
-    def motion(
-        self,
-        poses_b0: Union[Numbers, None],
-        poses_b1: Union[Numbers, None],
-        *,
-        poses_a0: Union[Numbers, None] = None,
-        poses_a1: Union[Numbers, None] = None,
-        kind: Literal["linear", "rigid"] = "linear",
-    ) -> Union[npt.NDArray[np.float64], tuple[float, float], None]: ...
+    motion = first_contact
     def features(self, poses_b: Union[Numbers, None], *, poses_a: Union[Numbers, None] = None) -> Union[list[npt.NDArray[Any]], npt.NDArray[Any]]: ...
     def contacts(self, poses_b: Union[Numbers, None], *, poses_a: Union[Numbers, None] = None) -> Union[list[Contacts], Contacts]: ...
     @property

@@ -50,8 +50,9 @@ BOOST_AUTO_TEST_CASE(what_is_too_small_is_zero_with_its_sign)
   BOOST_TEST(std::signbit(parse_double("-1e-400").value()));
   BOOST_TEST(std::signbit(parse_double("-0").value()));
   const std::string zeros(400, '0');
-  for (const std::string& word : std::vector<std::string>{"1.5e-400", "100000.0e-500", "12e-99999999999999999999",
-                                                          "0." + zeros + "5", "0." + zeros + "5e+9"})
+  for (const std::string& word :
+       std::vector<std::string>{"1.5e-400", "100000.0e-500", "12e-99999999999999999999", "1e-9223372036854775808",
+                                "0." + zeros + "5", "0." + zeros + "5e+9"})
     BOOST_TEST(parse_double(word).value() == 0, word);
   BOOST_TEST(parse_double("0." + zeros + "5e402").value() == 50);
 }
