@@ -15,7 +15,7 @@ tidy()
 {
   with_fast_malloc clang-tidy --config-file=.clang-tidy --quiet "$1" -- -std=c++20 -frounding-math -I"$root/include" -I"$root" \
     $(for library in eigen3 bullet; do pkg-config --cflags $library 2> /dev/null | sed 's/-I/-isystem /g'; done) -DHWY_COMPILE_ONLY_STATIC -DCGAL_USE_GMPXX=1 -DCGAL_DO_NOT_USE_BOOST_MP -DCGAL_NO_CDT_2_WARNING -DBOOST_TEST_DYN_LINK \
-    -DTETRACONE_SOURCE_DIR='""' -DTETRACONE_PROGRAM='""' -DCGAL_INCLUDE='""' 2> "$scratch/errors" || { grep -v 'warnings generated' "$scratch/errors"; return 1; }
+    $(for path in TETRACONE_SOURCE_DIR TETRACONE_PROGRAM TETRACONE_PYTHON CGAL_INCLUDE; do echo "-D$path=\"$path\""; done) 2> "$scratch/errors" || { grep -v 'warnings generated' "$scratch/errors"; return 1; }
 }
 
 if (($#)); then
