@@ -131,22 +131,22 @@ class Placed_model {
   }
 
  private:
-  static constexpr bool keeps_exact_images = std::is_same_v<K, kernel::Adaptive>;  // made when a sign asks for one
+  static constexpr bool keeps_images = std::is_same_v<K, kernel::Adaptive>;  // made when a sign asks for one
   static constexpr Index block_size = 64;
 
   /// Vertices of successive numbers.
   struct Block {
     std::array<Point, block_size> point;
     std::array<std::uint64_t, block_size> placed_at{};  ///< 0: never
-    std::array<std::unique_ptr<kernel::Adaptive::Exact_image>, keeps_exact_images ? block_size : 0> exact_image;
+    std::array<std::unique_ptr<kernel::Kept_images>, keeps_images ? block_size : 0> kept;
   };
 
   void place(Index v, Block& block, Index k)
   {
     block.point[k] = frame_.is_identity() ? kernel::Point<K>(model_->point(v)) : frame_(model_->point(v));
-    if constexpr (keeps_exact_images) {
-      block.exact_image[k].reset();
-      block.point[k].slot = &block.exact_image[k];
+    if constexpr (keeps_images) {
+      if (block.kept[k]) block.kept[k]->clear();
+      block.point[k].slot = &block.kept[k];
     }
     block.placed_at[k] = now_;
   }

@@ -33,6 +33,8 @@ constexpr std::array experiments = {
         "study",
         "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?",
         "2 min", run_study, "--models --frames --rotations --seed --full"},
+    Experiment{"contact-cost", "what does an exact answer cost where bodies touch, over double and FCL?", "20 s",
+               run_contact_cost, "--models --rotations --seed"},
     Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "4 min",
                run_peers, "--models --race-frames --race-seconds --seed --full"},
     Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min",
@@ -108,7 +110,8 @@ void add_experiment_command(CLI::App& app)
   command->add_option("--models", options->models,
                       "Folder that experiments/support/fetch_models.sh filled; default: its own");
   add_default(*command, "--frames", options->frames, "study: poses of each trajectory")->check(poses);
-  add_default(*command, "--rotations", options->rotations, "study: poses of each degenerate scenario")->check(poses);
+  add_default(*command, "--rotations", options->rotations, "study, contact-cost: poses of each degenerate scenario")
+      ->check(poses);
   add_default(*command, "--race-frames", options->race_frames,
               "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes, budget, demand: poses "
               "of each trajectory (peers: of each of eight circles; coherence: of the coarsest walk; scenes and "

@@ -27,8 +27,8 @@ def workload(row):
 
 
 class Study:
-    def __init__(self, out):
-        self.rows = read(os.path.join(out, "study.csv"))
+    def __init__(self, out, name="study"):
+        self.rows = read(os.path.join(out, name + ".csv"))
         for row in self.rows:
             for key in NUMBERS:
                 row[key] = float(row[key])

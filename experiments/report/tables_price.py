@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""OUT/study.csv -> the price of exactness by regime and kind of contact, on the terminal.  usage: tables_price.py OUT
+"""OUT/study.csv, OUT/contact_cost.csv -> the price of exactness by regime and kind of contact, on the terminal.  usage: tables_price.py OUT
 
 The adaptive kernel's time over double's on the same tree, and over FCL's, whose answers are wrong at times.
 """
@@ -66,12 +66,12 @@ def sections(page, study, campaign):
 def main():
     if len(sys.argv) != 2:
         sys.exit(f"usage: {os.path.basename(sys.argv[0])} OUT")
-    study = Study(sys.argv[1])
-    if not study:
-        sys.exit(f"{os.path.join(sys.argv[1], 'study.csv')}: no such file; expected the results of tetracone experiment study")
+    found = [p for name in ("study", "contact_cost") for p in prices(Study(sys.argv[1], name))]
+    if not found:
+        sys.exit(f"{sys.argv[1]}: no study.csv or contact_cost.csv; expected the results of tetracone experiment study or contact-cost")
     print("| regime | contact | question | collide | adaptive, µs | over double, same tree | over FCL | exact signs a query | wrong: double | wrong: FCL |")
     print("|---|---|---|---|---|---|---|---|---|---|")
-    for p in prices(study):
+    for p in found:
         print("| " + " | ".join([p["regime"], p["contact"], p["question"], f"{p['collisions']} of {p['poses']}", f"{float(p['adaptive_us']):.2g}",
                                  ratio(p, "over_double"), ratio(p, "over_fcl"), p["exact_signs"], str(p["wrong_double"]), str(p["wrong_fcl"])]) + " |")
 

@@ -36,6 +36,10 @@ void run_scaling(const Experiment_options& options);
 /// each workload, question and subject, and draws the report.
 void run_study(const Experiment_options& options);
 
+/// Measures what exactness costs in contact: the adaptive kernel, double and EPECK on one tree, and FCL, on the study's
+/// degenerate contacts alone. Writes out/contact_cost.csv and prints the ratios.
+void run_contact_cost(const Experiment_options& options);
+
 /// Measures the queries per second that 1, 2, 4 ... threads make on the same two bodies, up to twice the number of
 /// processors. The bodies are fresh ones, whose nodes are built on demand, and warm ones. The poses of a contour
 /// trajectory are dealt out in turn. It also measures how fast the threads build bodies of 70,000 and 700,000 triangles

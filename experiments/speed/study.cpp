@@ -88,6 +88,15 @@ std::vector<Contestant> contestants(const Workload& workload)
   return list;
 }
 
+/// What contact costs: exactness, by the same tree in double and in EPECK, and FCL.
+std::vector<Contestant> contestants_of_contact(const Workload& workload)
+{
+  std::vector<Contestant> list;
+  for (const char* kernel : {"adaptive", "double", "epeck"}) list.push_back(ours(kernel, Method::tree));
+  list.push_back(scaled_fcl(workload));
+  return list;
+}
+
 struct Judged {
   Timed_poses poses;
   double build_seconds = 0;
@@ -166,7 +175,7 @@ Csv_row row(const Workload& workload, Question question, const Contestant& conte
       .add_origin(seed);
 }
 
-std::string study_workload(const Workload& workload, std::uint64_t seed)
+std::string study_workload(const Workload& workload, const std::vector<Contestant>& contestants, std::uint64_t seed)
 {
   const auto truth_teller = verify::prepare(*Subject::parse("rational", Method::brute), workload.a, workload.b);
   Csv_table table;
@@ -174,7 +183,7 @@ std::string study_workload(const Workload& workload, std::uint64_t seed)
     std::vector<char> truth;
     for (std::size_t k = 0; k < workload.poses_b.size(); ++k)
       truth.push_back(truth_teller->collide(workload.pose_a(k), workload.poses_b[k], question));
-    for (const Contestant& contestant : contestants(workload)) {
+    for (const Contestant& contestant : contestants) {
       if (question == Question::solid && !contestant.knows_solids) continue;
       if (const auto judged = judge(workload, contestant, question, truth))
         table.add(row(workload, question, contestant, *judged, seed));
@@ -191,10 +200,25 @@ void run_study(const Experiment_options& options)
   std::vector<Table_part> parts;
   for (Named_workload& workload :
        study_workloads(options.models, more * options.frames, more * options.rotations, options.seed))
-    parts.push_back({std::move(workload.name),
-                     [make = std::move(workload.make), seed = options.seed] { return study_workload(make(), seed); }});
+    parts.push_back({std::move(workload.name), [make = std::move(workload.make), seed = options.seed] {
+                       const Workload made = make();
+                       return study_workload(made, contestants(made), seed);
+                     }});
   write_table(options.out, "study", parts);
   if (!options.rows_alone) draw("report.py", options.out);
+}
+
+void run_contact_cost(const Experiment_options& options)
+{
+  std::vector<Table_part> parts;
+  for (Named_workload& workload : study_workloads(options.models, options.frames, options.rotations, options.seed))
+    if (workload.name.starts_with("degenerate-"))
+      parts.push_back({std::move(workload.name), [make = std::move(workload.make), seed = options.seed] {
+                         const Workload made = make();
+                         return study_workload(made, contestants_of_contact(made), seed);
+                       }});
+  write_table(options.out, "contact_cost", parts);
+  draw("tables_price.py", options.out);
 }
 
 }  // namespace tetracone::experiments

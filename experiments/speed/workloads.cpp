@@ -65,18 +65,19 @@ Workload on_trajectory(Objects& objects, const std::string& trajectory, const st
 
 Pose rounded(const Pose& pose) { return Pose(pose.entries()); }
 
-/// Puts both bodies under one random rotation R and moves B by a shift in A's frame: poses R and R o shift. If `exact`,
-/// R is the rotation of an integer quaternion and the contact in A's frame is kept exactly. Otherwise both poses are
-/// rounded to doubles.
+/// Puts both bodies under one random rigid map R and moves B by a shift in A's frame: poses R and R o shift. If `exact`,
+/// R is the rotation of an integer quaternion, then an offset of fractions, and the contact in A's frame is kept
+/// exactly. Otherwise both poses are rounded to doubles.
 void add_poses(Workload& w, Random& random, const Shift& shift, bool exact)
 {
   std::array<int, 4> q{0, 0, 0, 0};
   while (q == std::array<int, 4>{0, 0, 0, 0})
     for (int& x : q) x = static_cast<int>(random.bits() % 19) - 9;
-  const Pose rotation = Pose::from_quaternion(q[0], q[1], q[2], q[3]);
-  Shift t;
+  Shift offset;
+  for (Rational& x : offset) x = Rational(static_cast<int>(random.bits() % 2001) - 1000) / 97;
+  const Pose rotation = Pose::from_quaternion(q[0], q[1], q[2], q[3], offset);
+  Shift t = offset;
   for (int i = 0; i < 3; ++i) {
-    t[i] = 0;
     for (int j = 0; j < 3; ++j) t[i] += rotation.exact(4 * i + j) * shift[j];
   }
   const Pose moved = Pose::from_quaternion(q[0], q[1], q[2], q[3], t);
@@ -212,6 +213,8 @@ std::vector<Named_workload> study_workloads(const std::filesystem::path& models,
     add("vertex" + file, [=](Random r) { return cubes("shared vertex" + suffix, {1, 1, 1}, exact, rotations, r); });
   }
   add("gap", [=](Random r) { return cubes_with_gap(rotations, r); });
+  const Rational ulp = power_of_two(-52);
+  add("ulp", [=](Random r) { return cubes("gap of one ulp", {1 + ulp, 0, 0}, true, rotations, r); });
   add("nested", [=](Random r) { return nested(rotations, r); });
   add("cavity", [=](Random r) { return in_cavity(rotations, r); });
   add("stacked", [=](Random r) { return stacked(*objects, rotations, r); });

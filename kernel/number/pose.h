@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_NUMBER_POSE_H
 
 #include "tetracone/kernel/number/double_double.h"
+#include "tetracone/kernel/number/fixed_integer.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/products.h"
@@ -56,8 +57,14 @@ class Pose {
       common = lcm(common, entries[k].get_den());
     }
     fractions->weight = mpzf(common);
-    for (int k = 0; k < 12; ++k)
-      fractions->whole[k] = mpzf(mpz_class(entries[k].get_num() * (common / entries[k].get_den())));
+    fractions->binary_weight = binary_number<1>(common);
+    std::array<Binary_number<2>, 12> binary;
+    for (int k = 0; k < 12; ++k) {
+      const mpz_class whole(entries[k].get_num() * (common / entries[k].get_den()));
+      fractions->whole[k] = mpzf(whole);
+      binary[k] = binary_number<2>(whole);
+    }
+    fractions->fixed = Fixed_map(binary);
     fractions_ = std::move(fractions);
   }
 
@@ -125,6 +132,10 @@ class Pose {
   CGAL::Mpzf whole(int k) const { return fractions_ ? fractions_->whole[k] : CGAL::Mpzf(entries_[k]); }
   CGAL::Mpzf weight() const { return fractions_ ? fractions_->weight : CGAL::Mpzf(1); }
 
+  /// Return the integers of `whole` and `weight`, or what says that they are too wide. Requires `is_rational()`.
+  const Fixed_map& fixed_map() const { return fractions_->fixed; }
+  const Binary_number<1>& binary_weight() const { return fractions_->binary_weight; }
+
   /// True when the map moves nothing: every image is the point itself, in every kernel.
   bool is_identity() const { return is_translation_ && entries_[3] == 0 && entries_[7] == 0 && entries_[11] == 0; }
 
@@ -174,6 +185,8 @@ class Pose {
     std::array<double, 12> lows{};     // what rounding took from each, rounded
     std::array<CGAL::Mpzf, 12> whole;  // each times the weight
     CGAL::Mpzf weight;
+    Fixed_map fixed;
+    Binary_number<1> binary_weight;
   };
 
   static bool is_unit(const std::array<double, 12>& m)
@@ -193,6 +206,21 @@ class Pose {
       value = value * CGAL::Mpzf(0x1p64) + CGAL::Mpzf((unsigned long)(mpz_getlimbn(z, mp_size_t(k))));
     return mpz_sgn(z) < 0 ? -value : value;
   }
+
+  template <int limbs>
+  static Binary_number<limbs> binary_number(const mpz_class& integer)
+  {
+    if (integer == 0) return {};
+    const mp_bitcnt_t zeros = mpz_scan1(integer.get_mpz_t(), 0);
+    const mpz_class odd = abs(integer) >> zeros;
+    const std::size_t bits = mpz_sizeinbase(odd.get_mpz_t(), 2);
+    if (bits >= 64 * limbs || zeros > most_zeros) return {{}, 0, Binary_number<limbs>::too_wide};
+    Fixed_integer<limbs> value;
+    for (int k = 0; k < limbs; ++k) value.limb[k] = mpz_getlimbn(odd.get_mpz_t(), k);
+    if (integer < 0) value = Fixed_integer<limbs>() - value;
+    return {value, int(zeros), int(bits)};
+  }
+  static constexpr mp_bitcnt_t most_zeros = 1 << 20;  ///< far below where sums of exponents overflow
 
   std::array<double, 12> entries_;
   bool is_translation_ = true;

@@ -4,6 +4,7 @@
 #include "tetracone/kernel/predicate/adaptive_double_double.h"
 #include "tetracone/kernel/predicate/adaptive_exact.h"
 #include "tetracone/kernel/predicate/adaptive_filter.h"
+#include "tetracone/kernel/predicate/adaptive_fixed.h"
 #include "tetracone/kernel/predicate/adaptive_grid.h"
 #include "tetracone/kernel/predicate/adaptive_points.h"
 #include "tetracone/kernel/predicate/adaptive_zero_exits.h"
@@ -22,14 +23,16 @@ namespace tetracone::kernel {
 ///   1. filter, in double;
 ///   2. zero exits;
 ///   3. grid, in integers of 128 bits;
-///   4. double-double;
-///   5. exact.
-/// A sign of a point beyond the magnitude gate, of unknown error, goes from the zero exits straight to the exact stage.
+///   4. fixed, in integers of at most 192 bits;
+///   5. double-double;
+///   6. exact, in numbers of any size.
+/// A sign of a point beyond the magnitude gate, of unknown error, goes from the zero exits straight to the fixed stage.
 /// After the zero exits, a volume sign of points that share one pose is that of their vertices, times sign(det M).
 class Adaptive : public Adaptive_filter,
                  public Adaptive_zero_exits,
                  public Adaptive_grid,
                  public Adaptive_double_double,
+                 public Adaptive_fixed,
                  public Adaptive_exact {
  public:
   using Stage = Adaptive_stage;
@@ -40,8 +43,12 @@ class Adaptive : public Adaptive_filter,
     static thread_local Stage_counts counts;
     return counts;
   }
-  /// Returns the number of times that the calling thread needed the exact stage.
-  static std::uint64_t exact_fallbacks() { return decided_by()[Stage::exact] + decided_by()[Stage::out_of_gate]; }
+  /// Returns the number of times that the calling thread needed the fixed or the exact stage.
+  static std::uint64_t exact_fallbacks()
+  {
+    const Stage_counts& counts = decided_by();
+    return counts[Stage::fixed] + counts[Stage::exact] + counts[Stage::out_of_gate];
+  }
 
   static CGAL::Sign volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
@@ -66,6 +73,7 @@ class Adaptive : public Adaptive_filter,
   {
     const auto zero = [&] { return zero_volume_sign(a, b, c, d); };
     const auto grid = [&] { return int128_volume_sign(a, b, c, d); };
+    const auto fixed = [&] { return fixed_volume_sign(a, b, c, d); };
     const auto double_double = [&] { return double_double_volume_sign(a, b, c, d); };
     const auto exact = [&] { return Decision(exact_volume_sign(a, b, c, d)); };
     if (const Decision sign = first_decision(Asked{Stage::zero, zero})) return *sign;
@@ -74,7 +82,7 @@ class Adaptive : public Adaptive_filter,
           volume_sign(unmoved(a.vertex), unmoved(b.vertex), unmoved(c.vertex), unmoved(d.vertex));
       return unplaced * a.pose->determinant_sign();
     }
-    return computed_sign(in_gate(a, b, c, d), grid, double_double, exact);
+    return computed_sign(in_gate(a, b, c, d), grid, fixed, double_double, exact);
   }
 
   [[gnu::noinline]] static CGAL::Sign unfiltered_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c,
@@ -82,20 +90,22 @@ class Adaptive : public Adaptive_filter,
   {
     const auto zero = [&] { return zero_normal_sign(a, b, c, axis); };
     const auto grid = [&] { return int128_normal_sign(a, b, c, axis); };
+    const auto fixed = [&] { return fixed_normal_sign(a, b, c, axis); };
     const auto double_double = [&] { return double_double_normal_sign(a, b, c, axis); };
     const auto exact = [&] { return Decision(exact_normal_sign(a, b, c, axis)); };
     if (const Decision sign = first_decision(Asked{Stage::zero, zero})) return *sign;
-    return computed_sign(in_gate(a, b, c), grid, double_double, exact);
+    return computed_sign(in_gate(a, b, c), grid, fixed, double_double, exact);
   }
 
   [[gnu::noinline]] static CGAL::Sign unfiltered_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
     const auto zero = [&] { return identical(a, b) ? Decision(CGAL::ZERO) : std::nullopt; };
     const auto grid = [] { return Decision(); };  // the filter decides the difference of exact images
+    const auto fixed = [&] { return fixed_difference_sign(a, b, axis); };
     const auto double_double = [&] { return double_double_difference_sign(a, b, axis); };
     const auto exact = [&] { return Decision(exact_difference_sign(a, b, axis)); };
     if (const Decision sign = first_decision(Asked{Stage::zero, zero})) return *sign;
-    return computed_sign(in_gate(a, b), grid, double_double, exact);
+    return computed_sign(in_gate(a, b), grid, fixed, double_double, exact);
   }
 
  private:
@@ -124,15 +134,15 @@ class Adaptive : public Adaptive_filter,
     return std::nullopt;
   }
 
-  /// Returns the sign by the stages that compute; beyond the magnitude gate by the exact one alone. `exact` always
+  /// Returns the sign by the stages that compute; beyond the magnitude gate by those that need no bound. `exact` always
   /// decides.
-  template <class Grid, class Double_double, class Exact>
-  [[gnu::always_inline]] static CGAL::Sign computed_sign(bool in_gate, const Grid& grid,
+  template <class Grid, class Fixed, class Double_double, class Exact>
+  [[gnu::always_inline]] static CGAL::Sign computed_sign(bool in_gate, const Grid& grid, const Fixed& fixed,
                                                          const Double_double& double_double, const Exact& exact)
   {
-    if (!in_gate) return *first_decision(Asked{Stage::out_of_gate, exact});
-    return *first_decision(Asked{Stage::grid, grid}, Asked{Stage::double_double, double_double},
-                           Asked{Stage::exact, exact});
+    if (!in_gate) return *first_decision(Asked{Stage::fixed, fixed}, Asked{Stage::out_of_gate, exact});
+    return *first_decision(Asked{Stage::grid, grid}, Asked{Stage::fixed, fixed},
+                           Asked{Stage::double_double, double_double}, Asked{Stage::exact, exact});
   }
 };
 

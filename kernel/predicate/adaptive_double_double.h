@@ -9,22 +9,26 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace tetracone::kernel {
 
-/// The double-double stage: the expression on images of twice the digits. It decides when the value is beyond its
-/// bound.
+/// The double-double stage: the expression on images of twice the digits, for images that the fixed stage finds too
+/// wide. It decides when the value is beyond its bound.
 class Adaptive_double_double : public Adaptive_points {
  public:
   // The expressions are the filter's, and so are the bounds except for their constants (adaptive_bounds.h). A
   // difference of images is rounded too, so its error is that of both images and a fraction of itself. All bounds are
   // computed in double and judge the high part, whose relative error is u.
 
-  /// An image of twice the digits.
-  struct Double_double_image {
-    std::array<Double_double, 3> coordinate;
-    double error;  ///< per coordinate; infinite: not known
-  };
+  /// Returns the image of a point, which its slot keeps.
+  static Double_double_image kept_double_double_image(const Point_3& point)
+  {
+    if (point.slot == nullptr) return double_double_image(point);
+    std::optional<Double_double_image>& image = kept(point).double_double;
+    if (!image) image = double_double_image(point);
+    return *image;
+  }
 
   static Double_double_image double_double_image(const Point_3& point)
   {
@@ -55,8 +59,8 @@ class Adaptive_double_double : public Adaptive_points {
   /// Returns the sign of det[b-a, c-a, d-a], or undecided.
   static Decision double_double_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
-    const std::array<Double_double_image, 4> p = {double_double_image(a), double_double_image(b),
-                                                  double_double_image(c), double_double_image(d)};
+    const std::array<Double_double_image, 4> p = {kept_double_double_image(a), kept_double_double_image(b),
+                                                  kept_double_double_image(c), kept_double_double_image(d)};
     std::array<std::array<Double_double, 3>, 3> m;
     std::array<double, 3> largest{0, 0, 0};
     for (int j = 0; j < 3; ++j) {
@@ -73,7 +77,8 @@ class Adaptive_double_double : public Adaptive_points {
   static Decision double_double_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    const Double_double_image p = double_double_image(a), q = double_double_image(b), r = double_double_image(c);
+    const Double_double_image p = kept_double_double_image(a), q = kept_double_double_image(b),
+                              r = kept_double_double_image(c);
     const Double_double bi = q.coordinate[i] - p.coordinate[i], bj = q.coordinate[j] - p.coordinate[j];
     const Double_double ci = r.coordinate[i] - p.coordinate[i], cj = r.coordinate[j] - p.coordinate[j];
     const double mi = maximum(std::abs(bi.high), std::abs(ci.high)), mj = maximum(std::abs(bj.high), std::abs(cj.high));
@@ -86,7 +91,7 @@ class Adaptive_double_double : public Adaptive_points {
   /// Returns the sign of a[axis] - b[axis], or undecided.
   static Decision double_double_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
-    const Double_double_image p = double_double_image(a), q = double_double_image(b);
+    const Double_double_image p = kept_double_double_image(a), q = kept_double_double_image(b);
     const double difference = (p.coordinate[axis] - q.coordinate[axis]).high, images = p.error + q.error;
     const double error = adaptive_bound::double_double_difference_error(images, std::abs(difference));
     return beyond(difference, adaptive_bound::difference_bound(error));

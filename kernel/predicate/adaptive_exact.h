@@ -51,7 +51,7 @@ class Adaptive_exact : public Adaptive_points {
   /// the point has one.
   static Exact_image exact_image(const Point_3& point)
   {
-    if (point.slot != nullptr && *point.slot) return **point.slot;
+    if (point.slot != nullptr && *point.slot && (*point.slot)->exact) return *(*point.slot)->exact;
     const Vertex& v = point.vertex;
     using Number = CGAL::Mpzf;
     if (point.pose == nullptr) return {Number(v[0]), Number(v[1]), Number(v[2])};
@@ -61,7 +61,7 @@ class Adaptive_exact : public Adaptive_points {
       return m.whole(i) * Number(v[0]) + m.whole(i + 1) * Number(v[1]) + m.whole(i + 2) * Number(v[2]) + m.whole(i + 3);
     };
     Exact_image image = {row(0), row(4), row(8)};
-    if (point.slot != nullptr) *point.slot = std::make_unique<Exact_image>(image);
+    if (point.slot != nullptr) kept(point).exact = std::make_unique<Exact_image>(image);
     return image;
   }
 

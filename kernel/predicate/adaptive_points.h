@@ -6,8 +6,8 @@
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 #include "tetracone/kernel/predicate/adaptive_bounds.h"
+#include "tetracone/kernel/predicate/kept_images.h"
 
-#include <CGAL/Mpzf.h>
 #include <CGAL/enum.h>
 
 #include <array>
@@ -22,7 +22,6 @@ namespace tetracone::kernel {
 /// image. All signs are those of exact images.
 class Adaptive_points {
  public:
-  using Exact_image = std::array<CGAL::Mpzf, 3>;
   using Decision = std::optional<CGAL::Sign>;  ///< nothing: undecided
 
   struct Point_3 {
@@ -30,8 +29,8 @@ class Adaptive_points {
     double error;                 ///< per coordinate: |image - exact image| <= error; infinite: not known
     Vertex vertex;                ///< the point before it was placed
     const Pose* pose;             ///< null: not placed, the image is the vertex; else outlives the point
-    std::unique_ptr<Exact_image>* slot = nullptr;  ///< where the exact image is kept once it has been asked for; null:
-                                                   ///< nowhere
+    std::unique_ptr<Kept_images>* slot = nullptr;  ///< where further images are kept once they have been asked for;
+                                                   ///< null: nowhere
 
     double x() const { return image[0]; }
     double y() const { return image[1]; }
@@ -102,6 +101,13 @@ class Adaptive_points {
   }
 
  protected:
+  /// Returns what is kept of a point that has a slot.
+  static Kept_images& kept(const Point_3& point)
+  {
+    if (!*point.slot) *point.slot = std::make_unique<Kept_images>();
+    return **point.slot;
+  }
+
   static double magnitude(const Vertex& v) { return maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2])); }
 
   /// Returns the sign of the number that `value` approximates to within `bound`, or undecided. NaN is undecided.

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_INT128_SIGNS_H
 #define TETRACONE_KERNEL_PREDICATE_INT128_SIGNS_H
 
+#include "tetracone/kernel/number/fixed_integer.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 
@@ -36,8 +37,6 @@ std::optional<std::array<std::array<std::int64_t, 3>, count>> on_grid(const std:
     }
   return grid;
 }
-
-__extension__ using Int128 = __int128;  // no ISO C++
 
 /// Returns the sign of det[b-a, c-a, d-a], or nothing where the points are on no such grid. Differences are below 2^39.
 /// So their 2x2 minors are below 2^79, and the sum of three products below 2^120.

@@ -12,8 +12,9 @@ namespace tetracone::kernel {
 enum class Adaptive_stage {
   filter,
   zero,         ///< found to be exactly 0 without arithmetic
-  out_of_gate,  ///< the exact stage, asked at once: a point lies beyond the magnitude gate
+  out_of_gate,  ///< the exact stage, of a point beyond the magnitude gate
   grid,         ///< exact, in integers: exact images on a common grid
+  fixed,        ///< exact, in integers of a fixed width
   double_double,
   exact  ///< after all others were undecided
 };

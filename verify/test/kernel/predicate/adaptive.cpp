@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <random>
 #include <string_view>
 #include <vector>
@@ -110,6 +111,16 @@ Pose moved_rotation(Random& random, double distance)
 }
 Pose rotation(Random& random) { return moved_rotation(random, 1); }
 Pose far_rotation(Random& random) { return moved_rotation(random, 0x1p40); }
+/// Numbers of exponents far apart, of both signs, and 0.
+std::array<Vertex, 4> far_exponents(Random& random)
+{
+  std::array<Vertex, 4> v = coplanar(random, 6);
+  for (Vertex& p : v)
+    for (double& x : p)
+      if (scenes::integer(random, 0, 1) == 1) x = std::ldexp(x, scenes::integer(random, -400, 200));
+  return v;
+}
+
 Pose fractions(Random& random)
 {
   return scenes::random_rotation(random, 9, {Rational(scenes::integer(random, -9, 9)) / 7, 1, Rational(0.1)});
@@ -171,6 +182,13 @@ const std::vector<Position>& positions()
        far_rotation},
       {"under fractions, exactly coplanar", 0, 0, [](Random& r, Sample& s, P a, P) { s.set(coplanar(r, 8), &a); },
        fractions},
+      {"exponents far apart", 0, 1, [](Random& r, Sample& s, P, P) { s.set(far_exponents(r)); }},
+      {"exponents far apart, under fractions and unmoved", 0, 1,
+       [](Random& r, Sample& s, P a, P) {
+         const auto v = far_exponents(r);
+         for (std::size_t k = 0; k < 4; ++k) s.set(k, v[k], k % 2 == 0 ? &a : nullptr);
+       },
+       fractions},
   };
   return all;
 }
@@ -180,15 +198,16 @@ const std::vector<Position>& positions()
 BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_which_did)
 {
   int wrong_decision = 0, wrong_zero = 0, wrong_sign = 0, wrong_stage = 0;
-  int by_identity = 0, by_zero_factors = 0, by_gate = 0, by_grid = 0, by_double_double = 0;
+  int by_identity = 0, by_zero_factors = 0, by_gate = 0, by_grid = 0, by_double_double = 0, by_fixed = 0, by_exact = 0;
   // The counts of one sign, by the first stage that answers.
   const auto expected = [](const Decision& filtered, const Decision& zero, bool in_gate, const Decision& grid,
-                           const Decision& double_double) {
+                           const Decision& double_double, const Decision& fixed) {
     Stage_counts counts;
     ++counts[filtered        ? Stage::filter
              : zero          ? Stage::zero
-             : !in_gate      ? Stage::out_of_gate
+             : !in_gate      ? (fixed ? Stage::fixed : Stage::out_of_gate)
              : grid          ? Stage::grid
+             : fixed         ? Stage::fixed
              : double_double ? Stage::double_double
                              : Stage::exact];
     return counts;
@@ -212,29 +231,33 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const Sign truth = s.volume();
       const Decision filtered = Adaptive::filtered_volume_sign(a, b, c, d),
                      zero = Adaptive::zero_volume_sign(a, b, c, d), grid = Adaptive::int128_volume_sign(a, b, c, d),
-                     double_double = Adaptive::double_double_volume_sign(a, b, c, d);
+                     double_double = Adaptive::double_double_volume_sign(a, b, c, d),
+                     fixed = Adaptive::fixed_volume_sign(a, b, c, d);
       for (const Decision& decision :
-           {filtered, grid, double_double, Decision(Adaptive::exact_volume_sign(a, b, c, d))})
+           {filtered, grid, double_double, fixed, Decision(Adaptive::exact_volume_sign(a, b, c, d))})
         wrong_decision += is_wrong(decision, truth);
       wrong_zero += zero ? truth != CGAL::ZERO : s.has_one_twice(4);
       decided += filtered.has_value();
       by_grid += !filtered && grid;
-      by_double_double += !filtered && double_double;
+      by_double_double += !filtered && !fixed && double_double;
       by_identity += !filtered && s.has_one_twice(4);
       by_zero_factors += !filtered && zero && !s.has_one_twice(4);
       Stage_counts before = Adaptive::decided_by();
       wrong_sign += Adaptive::volume_sign(a, b, c, d) != truth;
       const Stage_counts stages = Adaptive::decided_by() - before;
       by_gate += int(stages[Stage::out_of_gate]);
+      by_fixed += int(stages[Stage::fixed]);
+      by_exact += int(stages[Stage::exact]);
       const bool one_frame = a.pose && a.pose == b.pose && a.pose == c.pose && a.pose == d.pose;
       if (one_frame && !filtered && !zero) {
         const Point p = home(a), q = home(b), r = home(c), t = home(d);
         wrong_stage +=
             stages != expected(Adaptive::filtered_volume_sign(p, q, r, t), Adaptive::zero_volume_sign(p, q, r, t),
                                in_gate(p, q, r, t), Adaptive::int128_volume_sign(p, q, r, t),
-                               Adaptive::double_double_volume_sign(p, q, r, t));
+                               Adaptive::double_double_volume_sign(p, q, r, t),
+                               Adaptive::fixed_volume_sign(p, q, r, t));
       } else {
-        wrong_stage += stages != expected(filtered, zero, in_gate(a, b, c, d), grid, double_double);
+        wrong_stage += stages != expected(filtered, zero, in_gate(a, b, c, d), grid, double_double, fixed);
       }
 
       const int axis = n % 3;
@@ -242,26 +265,28 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const Decision normal_filtered = Adaptive::filtered_normal_sign(a, b, c, axis),
                      normal_zero = Adaptive::zero_normal_sign(a, b, c, axis),
                      normal_grid = Adaptive::int128_normal_sign(a, b, c, axis),
-                     normal_double_double = Adaptive::double_double_normal_sign(a, b, c, axis);
-      for (const Decision& decision :
-           {normal_filtered, normal_grid, normal_double_double, Decision(Adaptive::exact_normal_sign(a, b, c, axis))})
+                     normal_double_double = Adaptive::double_double_normal_sign(a, b, c, axis),
+                     normal_fixed = Adaptive::fixed_normal_sign(a, b, c, axis);
+      for (const Decision& decision : {normal_filtered, normal_grid, normal_double_double, normal_fixed,
+                                       Decision(Adaptive::exact_normal_sign(a, b, c, axis))})
         wrong_decision += is_wrong(decision, normal);
       wrong_zero += normal_zero ? normal != CGAL::ZERO : s.has_one_twice(3);
       before = Adaptive::decided_by();
       wrong_sign += Adaptive::normal_sign(a, b, c, axis) != normal;
-      wrong_stage += Adaptive::decided_by() - before !=
-                     expected(normal_filtered, normal_zero, in_gate(a, b, c), normal_grid, normal_double_double);
+      wrong_stage += Adaptive::decided_by() - before != expected(normal_filtered, normal_zero, in_gate(a, b, c),
+                                                                 normal_grid, normal_double_double, normal_fixed);
 
       const Decision difference_filtered = Adaptive::filtered_difference_sign(a, b, axis),
                      difference_zero = s.has_one_twice(2) ? Decision(CGAL::ZERO) : Decision(),
-                     difference_double_double = Adaptive::double_double_difference_sign(a, b, axis);
-      for (const Decision& decision :
-           {difference_filtered, difference_double_double, Decision(Adaptive::exact_difference_sign(a, b, axis))})
+                     difference_double_double = Adaptive::double_double_difference_sign(a, b, axis),
+                     difference_fixed = Adaptive::fixed_difference_sign(a, b, axis);
+      for (const Decision& decision : {difference_filtered, difference_double_double, difference_fixed,
+                                       Decision(Adaptive::exact_difference_sign(a, b, axis))})
         wrong_decision += is_wrong(decision, difference);
       before = Adaptive::decided_by();
       wrong_sign += Adaptive::difference_sign(a, b, axis) != difference;
-      wrong_stage += Adaptive::decided_by() - before !=
-                     expected(difference_filtered, difference_zero, in_gate(a, b), {}, difference_double_double);
+      wrong_stage += Adaptive::decided_by() - before != expected(difference_filtered, difference_zero, in_gate(a, b),
+                                                                 {}, difference_double_double, difference_fixed);
     }
     BOOST_TEST_INFO_SCOPE(position.name);
     BOOST_TEST(position.least <= double(decided) / count);
@@ -271,7 +296,8 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
   BOOST_TEST(wrong_zero == 0);
   BOOST_TEST(wrong_sign == 0);
   BOOST_TEST(wrong_stage == 0);
-  for (const int seen : {by_identity, by_zero_factors, by_gate, by_grid, by_double_double}) BOOST_TEST(seen > 100);
+  for (const int seen : {by_identity, by_zero_factors, by_gate, by_grid, by_double_double, by_fixed, by_exact})
+    BOOST_TEST(seen > 100);
 }
 
 BOOST_AUTO_TEST_CASE(one_frame_is_decided_by_its_vertices_and_its_determinant)
@@ -293,6 +319,92 @@ BOOST_AUTO_TEST_CASE(one_frame_is_decided_by_its_vertices_and_its_determinant)
   BOOST_TEST(sign_under(1, -1, 1) == CGAL::NEGATIVE);  // a reflection
   BOOST_TEST(sign_under(-1, -1, -3) == CGAL::NEGATIVE);
   BOOST_TEST(sign_under(1, 0, 1) == CGAL::ZERO);  // no pose, but no wrong answer either
+}
+
+BOOST_AUTO_TEST_CASE(fixed_signs_of_poses_of_several_weights_are_those_of_rationals)
+{
+  int undecided = 0, wrong = 0, zeros = 0;
+  Random random(4);
+  for (int n = 0; n < 20000; ++n) {
+    // B is A after a shift: by integers coplanar points stay so, by thirds they do not.
+    const Pose a = n % 3 == 0 ? rotation(random) : fractions(random);
+    std::array<Rational, 3> shift;
+    std::array<int, 3> whole;
+    const Rational part = Rational(3) * 0x1p40;
+    for (std::size_t k = 0; k < 3; ++k) {
+      whole[k] = scenes::integer(random, -9, 9);
+      shift[k] = whole[k] + (n % 2 == 0 ? Rational(0) : Rational(scenes::integer(random, -1, 1)) / part);
+    }
+    std::array<Rational, 12> entries;
+    for (int k = 0; k < 12; ++k) entries[k] = a.exact(k);
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) entries[4 * i + 3] += a.exact(4 * i + k) * shift[k];
+    const Pose b(entries), c = n % 5 == 0 ? fractions(random) : a;
+    Sample s;
+    s.set(coplanar(random, 8), &a);
+    for (const std::size_t k : {1, 3}) {
+      Vertex v = s.points[k].vertex;
+      for (int i = 0; i < 3; ++i) v[i] -= whole[i];
+      s.set(k, v, &b);
+    }
+    if (n % 5 == 0) s.set(2, s.points[2].vertex, &c);
+    // A slot keeps an image that the next sign uses again.
+    std::array<std::unique_ptr<Kept_images>, 4> kept;
+    for (std::size_t k = 0; k < 4; ++k) s.points[k].slot = n % 7 == 0 ? nullptr : &kept[k];
+    const auto& [p, q, r, t] = s.points;
+    for (int time = 0; time < 2; ++time) {
+      const Decision volume = Adaptive::fixed_volume_sign(p, q, r, t),
+                     normal = Adaptive::fixed_normal_sign(p, q, r, n % 3),
+                     difference = Adaptive::fixed_difference_sign(p, q, n % 3);
+      undecided += !volume + !normal + !difference;
+      wrong += (volume && *volume != s.volume()) + (normal && *normal != s.normal(n % 3)) +
+               (difference && *difference != s.difference(n % 3));
+      zeros += volume == Decision(CGAL::ZERO);
+    }
+  }
+  BOOST_TEST(undecided == 0);
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(zeros > 10000);
+}
+
+BOOST_AUTO_TEST_CASE(fixed_signs_are_right_up_to_their_most_bits_and_undecided_beyond)
+{
+  // Entries of 60 bits and vertices of up to 130: every carry counts.
+  int wrong = 0, decided = 0, undecided = 0;
+  Random random(5);
+  for (int n = 0; n < 20000; ++n) {
+    const int bits = scenes::integer(random, 90, 130);
+    std::array<double, 12> entries;
+    for (double& x : entries) x = scenes::integer(random, -1, 1);
+    for (const int k : {0, 5, 10}) entries[k] = std::ldexp(scenes::integer(random, 0, 1) == 1 ? 1 - 0x1p-53 : -1, 60);
+    const Pose pose(entries);
+    Sample s;
+    for (std::size_t k = 0; k < 4; ++k) {
+      Vertex v = scenes::grid_vertex(random, 2);
+      const int axis = scenes::integer(random, 0, 2);
+      v[axis] = std::ldexp(scenes::integer(random, 0, 1) == 1 ? 1 - 0x1p-53 : -1, bits);
+      s.set(k, v, &pose);
+    }
+    const auto& [p, q, r, t] = s.points;
+    const Decision volume = Adaptive::fixed_volume_sign(p, q, r, t),
+                   normal = Adaptive::fixed_normal_sign(p, q, r, n % 3),
+                   difference = Adaptive::fixed_difference_sign(p, q, n % 3);
+    wrong += (volume && *volume != s.volume()) + (normal && *normal != s.normal(n % 3)) +
+             (difference && *difference != s.difference(n % 3));
+    decided += volume.has_value();
+    undecided += !volume;
+    wrong += bits + 66 <= Adaptive::most_bits && !volume;
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(decided > 10000);
+  BOOST_TEST(undecided > 1000);
+  const Point infinite = Adaptive::unmoved({infinity, 0, 0}), nan = Adaptive::unmoved({0, std::nan(""), 0}),
+              o = Adaptive::unmoved({0, 0, 0});
+  for (const Point& p : {infinite, nan}) {
+    BOOST_TEST(!Adaptive::fixed_volume_sign(p, o, o, o));
+    BOOST_TEST(!Adaptive::fixed_normal_sign(o, p, o, 0));
+    BOOST_TEST(!Adaptive::fixed_difference_sign(o, p, 0));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(one_vertex_under_one_pose_is_identical_and_needs_no_exact_stage)

@@ -1,0 +1,210 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_ADAPTIVE_FIXED_H
+#define TETRACONE_KERNEL_PREDICATE_ADAPTIVE_FIXED_H
+
+#include "tetracone/kernel/number/fixed_integer.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/predicate/adaptive_points.h"
+#include "tetracone/kernel/predicate/kept_images.h"
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace tetracone::kernel {
+
+/// The fixed stage: the expression in integers of a fixed width, exactly and without allocation. Images are whole
+/// multiples of one power of two, unless exponents are far apart or fractions have many digits: these are undecided. A
+/// sign takes no longer than in double-double, and is always decided.
+class Adaptive_fixed : public Adaptive_points {
+ public:
+  /// Upper bound of the bits of a coordinate of which the signs are computed, once all points have one exponent.
+  /// Differences then have a bit more, their minors less than 2^381, and the determinant less than 2^573. The sign takes
+  /// one bit more.
+  static constexpr int most_bits = 189;
+
+  /// Returns the sign of det[b-a, c-a, d-a], exactly, or undecided where the images are too wide.
+  static Decision fixed_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
+  {
+    return Aligned<4>({&a, &b, &c, &d}).sign([](const auto& p) {
+      return determinant(difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0]));
+    });
+  }
+
+  /// Returns the sign of (b-a) x (c-a) in the component `axis`, exactly, or undecided.
+  static Decision fixed_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
+  {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    return Aligned<3>({&a, &b, &c}).sign([i, j](const auto& p) {
+      return cross_component(p[1][i] - p[0][i], p[1][j] - p[0][j], p[2][i] - p[0][i], p[2][j] - p[0][j]);
+    });
+  }
+
+  /// Returns the sign of a[axis] - b[axis], exactly, or undecided.
+  static Decision fixed_difference_sign(const Point_3& a, const Point_3& b, int axis)
+  {
+    return Aligned<2>({&a, &b}).sign([axis](const auto& p) { return p[0][axis] - p[1][axis]; });
+  }
+
+ private:
+  /// Images times the same positive factor: all the weights of the poses, each once, and a power of two. An image
+  /// already has its own weight.
+  template <std::size_t count>
+  class Aligned {
+   public:
+    explicit Aligned(const std::array<const Point_3*, count>& points)
+    {
+      std::array<const Binary_number<1>*, count> own;
+      for (std::size_t n = 0; n < count; ++n) {
+        image_[n] = &kept_fixed_image(*points[n], made_[n]);
+        own[n] = weight_of(*points[n]);
+        if (own[n] != nullptr && !is_among_weights(*own[n])) weight_[weight_count_++] = own[n];
+      }
+      std::array<int, count> exponent, bits;
+      int lowest = Binary_number<1>::too_wide;
+      for (std::size_t n = 0; n < count; ++n) {
+        exponent[n] = image_[n]->exponent;
+        bits[n] = image_[n]->bits;
+        if (bits[n] == 0) continue;  // the origin, of any exponent
+        for (std::size_t k = 0; k < weight_count_; ++k) {
+          has_weight_[n][k] = own[n] != nullptr && is_equal(*own[n], *weight_[k]);
+          if (has_weight_[n][k]) continue;
+          exponent[n] += weight_[k]->exponent;
+          bits[n] += weight_[k]->bits;
+        }
+        lowest = std::min(lowest, exponent[n]);
+      }
+      for (std::size_t n = 0; n < count; ++n) {
+        if (bits[n] == 0) continue;
+        shift_[n] = exponent[n] - lowest;
+        bits_ = std::max(bits_, bits[n] + shift_[n]);
+      }
+    }
+
+    /// Returns the sign of an expression in at most three factors, differences of coordinates; undecided where these
+    /// are too wide.
+    template <class Expression>
+    Decision sign(const Expression& expression) const
+    {
+      if (bits_ <= most_bits_of<1>) return sign_by<1>(expression);
+      if (bits_ <= most_bits_of<2>) return sign_by<2>(expression);
+      if (bits_ <= most_bits) return sign_by<Fixed_image::limbs>(expression);
+      return std::nullopt;
+    }
+
+   private:
+    /// The bits that coordinates may have in so many limbs. A difference has one bit more, the sum of six products of
+    /// three differences three more, and the sign another.
+    template <int limbs>
+    static constexpr int most_bits_of = (3 * 64 * limbs - 4) / 3 - 1;
+    static_assert(most_bits <= most_bits_of<Fixed_image::limbs> && most_bits_of<1> + 2 <= 64 && most_bits + 2 <= 192);
+
+    template <int limbs, class Expression>
+    CGAL::Sign sign_by(const Expression& expression) const
+    {
+      std::array<std::array<Fixed_integer<limbs>, 3>, count> p;
+      for (std::size_t n = 0; n < count; ++n)
+        for (int k = 0; k < 3; ++k) {
+          p[n][k] = Fixed_integer<limbs>(image_[n]->coordinate[k]);
+          for (std::size_t w = 0; w < weight_count_; ++w)
+            if (!has_weight_[n][w]) p[n][k] = Fixed_integer<limbs>(p[n][k] * weight_[w]->integer);
+          if (shift_[n] != 0) p[n][k] = p[n][k] << shift_[n];
+        }
+      return CGAL::Sign(expression(p).sign());
+    }
+
+    bool is_among_weights(const Binary_number<1>& weight) const
+    {
+      return std::any_of(weight_.begin(), weight_.begin() + weight_count_,
+                         [&](const auto* other) { return is_equal(*other, weight); });
+    }
+
+    std::array<const Fixed_image*, count> image_;
+    std::array<std::optional<Fixed_image>, count> made_;  // of points without a slot
+    std::array<const Binary_number<1>*, count> weight_{};
+    std::array<std::array<bool, count>, count> has_weight_{};
+    std::size_t weight_count_ = 0;
+    std::array<int, count> shift_{};
+    int bits_ = 0;
+  };
+
+  static const Binary_number<1>* weight_of(const Point_3& point)
+  {
+    return point.pose != nullptr && point.pose->is_rational() ? &point.pose->binary_weight() : nullptr;
+  }
+  static bool is_equal(const Binary_number<1>& a, const Binary_number<1>& b)
+  {
+    return a.integer == b.integer && a.exponent == b.exponent;
+  }
+
+  /// Returns the image of a point, which its slot keeps; `made` holds it where the point has none.
+  static const Fixed_image& kept_fixed_image(const Point_3& point, std::optional<Fixed_image>& made)
+  {
+    std::optional<Fixed_image>& image = point.slot != nullptr ? kept(point).fixed : made;
+    if (!image) image = fixed_image(point);
+    return *image;
+  }
+
+  static Fixed_image fixed_image(const Point_3& point)
+  {
+    const auto unmoved = [](const Vertex& vertex) {
+      const auto v = fixed_numbers(vertex);
+      Fixed_image image{{}, v.exponent, v.bits};
+      for (int k = 0; k < 3; ++k) image.coordinate[k] = Fixed_integer<Fixed_image::limbs>(v.integer[k]);
+      return image;
+    };
+    if (point.pose == nullptr) return unmoved(point.vertex);
+    if (point.error == 0) return unmoved(point.image);
+    return moved(point.vertex, map_of(*point.pose));
+  }
+
+  /// Returns the map of a pose. Of doubles it is made once while the thread asks for two poses in turn.
+  static const Fixed_map& map_of(const Pose& pose)
+  {
+    struct Made {
+      std::array<double, 12> entries{};
+      Fixed_map map;
+    };
+    static thread_local std::array<Made, 2> made;
+    static thread_local std::size_t last = 0;
+    if (pose.is_rational()) return pose.fixed_map();
+    if (made[last].entries != pose.entries()) {
+      last = 1 - last;
+      if (made[last].entries != pose.entries()) made[last] = {pose.entries(), Fixed_map(pose.entries())};
+    }
+    return made[last].map;
+  }
+
+  static Fixed_image moved(const Vertex& vertex, const Fixed_map& map)
+  {
+    using Number = Fixed_integer<Fixed_image::limbs>;
+    const Fixed_numbers<3> v = fixed_numbers(vertex);
+    const Fixed_numbers<9>& m = map.matrix;
+    const Fixed_numbers<3>& t = map.translation;
+    // A row is a sum of four terms, below four times the largest.
+    const int of_products = m.exponent + v.exponent;
+    const int lowest = t.bits == 0 ? of_products : v.bits == 0 ? t.exponent : std::min(of_products, t.exponent);
+    const int shift = v.bits == 0 ? 0 : of_products - lowest, shift_t = t.bits == 0 ? 0 : t.exponent - lowest;
+    Fixed_image image{{}, lowest, std::max(v.bits == 0 ? 0 : m.bits + v.bits + shift, t.bits + shift_t) + 2};
+    if (image.bits > most_bits) return image;
+    // Three products of one limb each fit in two.
+    const bool is_narrow = m.bits <= 62 && v.bits <= 62;
+    for (int k = 0; k < 3; ++k) {
+      const auto term = [&](int j) { return Number(m.integer[3 * k + j] * v.integer[j]); };
+      const auto narrow_term = [&](int j) {
+        return Fixed_integer<1>(m.integer[3 * k + j]) * Fixed_integer<1>(v.integer[j]);
+      };
+      Number& x = image.coordinate[k];
+      x = is_narrow ? Number(narrow_term(0) + narrow_term(1) + narrow_term(2)) : term(0) + term(1) + term(2);
+      x = (x << shift) + (Number(t.integer[k]) << shift_t);
+    }
+    return image;
+  }
+};
+
+}  // namespace tetracone::kernel
+
+#endif
