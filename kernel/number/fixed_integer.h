@@ -27,7 +27,7 @@ struct Fixed_integer {
   }
   /// Widens or narrows: a narrow result must fit.
   template <int from>
-  explicit Fixed_integer(const Fixed_integer<from>& x)
+  [[gnu::always_inline]] explicit Fixed_integer(const Fixed_integer<from>& x)
   {
     const std::uint64_t sign = x.is_negative() ? ~std::uint64_t(0) : 0;
     for (int k = 0; k < limbs; ++k) limb[k] = k < from ? x.limb[k] : sign;
@@ -43,7 +43,7 @@ struct Fixed_integer {
     return is_negative() ? -1 : any != 0;
   }
 
-  friend Fixed_integer operator+(const Fixed_integer& a, const Fixed_integer& b)
+  [[gnu::always_inline]] friend Fixed_integer operator+(const Fixed_integer& a, const Fixed_integer& b)
   {
     Fixed_integer sum;
     Uint128 carry = 0;
@@ -54,7 +54,7 @@ struct Fixed_integer {
     }
     return sum;
   }
-  friend Fixed_integer operator-(const Fixed_integer& a, const Fixed_integer& b)
+  [[gnu::always_inline]] friend Fixed_integer operator-(const Fixed_integer& a, const Fixed_integer& b)
   {
     Fixed_integer difference;
     Uint128 borrow = 0;
@@ -68,7 +68,7 @@ struct Fixed_integer {
   friend bool operator==(const Fixed_integer&, const Fixed_integer&) = default;
 
   /// Returns this times 2^shift. Requires 0 <= shift < 64 limbs.
-  Fixed_integer operator<<(int shift) const
+  [[gnu::always_inline]] Fixed_integer operator<<(int shift) const
   {
     const int whole = int(unsigned(shift) / 64), part = shift % 64;
     Fixed_integer shifted;
@@ -83,7 +83,7 @@ struct Fixed_integer {
 /// Returns the product, which always fits. Magnitudes are multiplied as if unsigned. A negative factor then stands for
 /// itself plus 2^(64 limbs), which is taken off again.
 template <int n, int m>
-Fixed_integer<n + m> operator*(const Fixed_integer<n>& a, const Fixed_integer<m>& b)
+[[gnu::always_inline]] inline Fixed_integer<n + m> operator*(const Fixed_integer<n>& a, const Fixed_integer<m>& b)
 {
   Fixed_integer<n + m> product;
   if constexpr (n == 1 && m == 1) {
@@ -125,7 +125,7 @@ struct Binary_number {
 };
 
 /// Returns a double, exactly, by an odd integer or 0; infinity and NaN are too wide.
-inline Binary_number<1> binary_number(double x)
+[[gnu::always_inline]] inline Binary_number<1> binary_number(double x)
 {
   const auto image = std::bit_cast<std::uint64_t>(x);
   const int biased = int(image >> 52 & 0x7ff);

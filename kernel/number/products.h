@@ -5,8 +5,8 @@
 #include <cmath>
 
 /// The expressions of three coordinates that stages, bounds and proofs use alike, over any number type: doubles,
-/// floats, double-double, integers whose products are wider than they are, and the numbers of verify/proofs/, which record
-/// the computation. An error bound holds for the order of operations that is written here.
+/// floats, double-double, and the numbers of verify/proofs/, which record the computation. An error bound holds for the
+/// order of operations that is written here.
 namespace tetracone::kernel {
 
 template <class Number>
@@ -15,21 +15,21 @@ std::array<Number, 3> difference(const std::array<Number, 3>& a, const std::arra
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-template <class Number, class Other>
-auto dot(const std::array<Number, 3>& a, const std::array<Other, 3>& b)
+template <class Number>
+Number dot(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 template <class Number>
-auto cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
 {
-  return std::array{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// Returns det[b, c, d].
 template <class Number>
-auto determinant(const std::array<Number, 3>& b, const std::array<Number, 3>& c, const std::array<Number, 3>& d)
+Number determinant(const std::array<Number, 3>& b, const std::array<Number, 3>& c, const std::array<Number, 3>& d)
 {
   return dot(cross(b, c), d);
 }
@@ -45,7 +45,7 @@ Number permanent(const std::array<Number, 3>& b, const std::array<Number, 3>& c,
 
 /// Returns a component of b x c, from the two other coordinates of each.
 template <class Number>
-auto cross_component(const Number& bi, const Number& bj, const Number& ci, const Number& cj)
+Number cross_component(const Number& bi, const Number& bj, const Number& ci, const Number& cj)
 {
   return bi * cj - bj * ci;
 }

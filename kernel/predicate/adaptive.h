@@ -12,6 +12,7 @@
 
 #include <CGAL/enum.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -23,7 +24,7 @@ namespace tetracone::kernel {
 ///   1. filter, in double;
 ///   2. zero exits;
 ///   3. grid, in integers of 128 bits;
-///   4. fixed, in integers of at most 192 bits;
+///   4. fixed, in integers of at most 256 bits;
 ///   5. double-double;
 ///   6. exact, in numbers of any size.
 /// A sign of a point beyond the magnitude gate, of unknown error, goes from the zero exits straight to the fixed stage.
@@ -64,6 +65,19 @@ class Adaptive : public Adaptive_filter,
   {
     if (const Decision sign = filtered_difference_sign(a, b, axis)) return counted(Stage::filter, *sign);
     return unfiltered_difference_sign(a, b, axis);
+  }
+
+  /// Returns `volume_sign` of a, b, c with each of three points, of which the filter leaves two or more undecided.
+  [[gnu::noinline]] static std::array<CGAL::Sign, 3> unfiltered_sides(const Point_3& a, const Point_3& b,
+                                                                      const Point_3& c,
+                                                                      const std::array<const Point_3*, 3>& d)
+  {
+    if (const auto signs = fixed_sides(a, b, c, d)) {
+      decided_by()[Stage::fixed] += 3;
+      return *signs;
+    }
+    return {unfiltered_volume_sign(a, b, c, *d[0]), unfiltered_volume_sign(a, b, c, *d[1]),
+            unfiltered_volume_sign(a, b, c, *d[2])};
   }
 
   // The signs where the filter is undecided. They are out of line, which keeps the filter's callers small.

@@ -3,7 +3,6 @@
 
 #include "tetracone/kernel/number/fixed_integer.h"
 #include "tetracone/kernel/number/pose.h"
-#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/adaptive_points.h"
 #include "tetracone/kernel/predicate/kept_images.h"
 
@@ -21,16 +20,24 @@ namespace tetracone::kernel {
 /// sign takes no longer than in double-double, and is always decided.
 class Adaptive_fixed : public Adaptive_points {
  public:
-  /// Upper bound of the bits of a coordinate of which the signs are computed, once all points have one exponent.
-  /// Differences then have a bit more, their minors less than 2^381, and the determinant less than 2^573. The sign takes
-  /// one bit more.
-  static constexpr int most_bits = 189;
+  /// Upper bound of the bits of a coordinate of which the signs are computed, once all points have one exponent. See
+  /// `most_bits_of`.
+  static constexpr int most_bits = 253;
 
   /// Returns the sign of det[b-a, c-a, d-a], exactly, or undecided where the images are too wide.
   static Decision fixed_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
-    return Aligned<4>({&a, &b, &c, &d}).sign([](const auto& p) {
-      return determinant(difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0]));
+    return Aligned<4>({&a, &b, &c, &d}).decide([](const auto& p) { return Plane(p).side(p[3]); });
+  }
+
+  /// Returns the signs of det[b-a, c-a, d_k-a] for three points, by one normal of the plane; nothing where the images
+  /// are too wide.
+  static std::optional<std::array<CGAL::Sign, 3>> fixed_sides(const Point_3& a, const Point_3& b, const Point_3& c,
+                                                              const std::array<const Point_3*, 3>& d)
+  {
+    return Aligned<6>({&a, &b, &c, d[0], d[1], d[2]}).decide([](const auto& p) {
+      const Plane plane(p);
+      return std::array{plane.side(p[3]), plane.side(p[4]), plane.side(p[5])};
     });
   }
 
@@ -38,18 +45,56 @@ class Adaptive_fixed : public Adaptive_points {
   static Decision fixed_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    return Aligned<3>({&a, &b, &c}).sign([i, j](const auto& p) {
-      return cross_component(p[1][i] - p[0][i], p[1][j] - p[0][j], p[2][i] - p[0][i], p[2][j] - p[0][j]);
+    return Aligned<3>({&a, &b, &c}).decide([i, j](const auto& p) {
+      return sign((p[1][i] - p[0][i]) * (p[2][j] - p[0][j]) - (p[1][j] - p[0][j]) * (p[2][i] - p[0][i]));
     });
   }
 
   /// Returns the sign of a[axis] - b[axis], exactly, or undecided.
   static Decision fixed_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
-    return Aligned<2>({&a, &b}).sign([axis](const auto& p) { return p[0][axis] - p[1][axis]; });
+    return Aligned<2>({&a, &b}).decide([axis](const auto& p) { return sign(p[0][axis] - p[1][axis]); });
   }
 
  private:
+  template <int limbs>
+  static CGAL::Sign sign(const Fixed_integer<limbs>& x)
+  {
+    return CGAL::Sign(x.sign());
+  }
+
+  template <int limbs>
+  using Coordinates = std::array<Fixed_integer<limbs>, 3>;
+
+  /// The plane of the first three of some points, which must outlive it.
+  template <int limbs>
+  class Plane {
+   public:
+    template <std::size_t count>
+    explicit Plane(const std::array<Coordinates<limbs>, count>& p) : origin_(p[0])
+    {
+      const Coordinates<limbs> u = from_origin(p[1]), v = from_origin(p[2]);
+      const auto minor = [&](int i, int j) { return u[i] * v[j] - u[j] * v[i]; };
+      normal_ = {minor(1, 2), minor(2, 0), minor(0, 1)};
+    }
+    CGAL::Sign side(const Coordinates<limbs>& point) const
+    {
+      const Coordinates<limbs> w = from_origin(point);
+      return sign(normal_[0] * w[0] + normal_[1] * w[1] + normal_[2] * w[2]);
+    }
+
+   private:
+    Coordinates<limbs> from_origin(const Coordinates<limbs>& p) const
+    {
+      return {p[0] - origin_[0], p[1] - origin_[1], p[2] - origin_[2]};
+    }
+
+    const Coordinates<limbs>& origin_;
+    Coordinates<2 * limbs> normal_;
+  };
+  template <int limbs, std::size_t count>
+  Plane(const std::array<std::array<Fixed_integer<limbs>, 3>, count>&) -> Plane<limbs>;
+
   /// Images times the same positive factor: all the weights of the poses, each once, and a power of two. An image
   /// already has its own weight.
   template <std::size_t count>
@@ -84,14 +129,15 @@ class Adaptive_fixed : public Adaptive_points {
       }
     }
 
-    /// Returns the sign of an expression in at most three factors, differences of coordinates; undecided where these
-    /// are too wide.
-    template <class Expression>
-    Decision sign(const Expression& expression) const
+    /// Returns what `question` answers of the images; nothing where these are too wide for its products, which have at
+    /// most three factors: differences of coordinates.
+    template <class Question>
+    auto decide(const Question& question) const -> std::optional<decltype(question(std::array<Coordinates<1>, count>()))>
     {
-      if (bits_ <= most_bits_of<1>) return sign_by<1>(expression);
-      if (bits_ <= most_bits_of<2>) return sign_by<2>(expression);
-      if (bits_ <= most_bits) return sign_by<Fixed_image::limbs>(expression);
+      if (bits_ <= most_bits_of<1>) return question(images<1>());
+      if (bits_ <= most_bits_of<2>) return question(images<2>());
+      if (bits_ <= most_bits_of<3>) return question(images<3>());
+      if (bits_ <= most_bits) return question(images<Fixed_image::limbs>());
       return std::nullopt;
     }
 
@@ -100,12 +146,12 @@ class Adaptive_fixed : public Adaptive_points {
     /// three differences three more, and the sign another.
     template <int limbs>
     static constexpr int most_bits_of = (3 * 64 * limbs - 4) / 3 - 1;
-    static_assert(most_bits <= most_bits_of<Fixed_image::limbs> && most_bits_of<1> + 2 <= 64 && most_bits + 2 <= 192);
+    static_assert(most_bits <= most_bits_of<Fixed_image::limbs>);
 
-    template <int limbs, class Expression>
-    CGAL::Sign sign_by(const Expression& expression) const
+    template <int limbs>
+    std::array<Coordinates<limbs>, count> images() const
     {
-      std::array<std::array<Fixed_integer<limbs>, 3>, count> p;
+      std::array<Coordinates<limbs>, count> p;
       for (std::size_t n = 0; n < count; ++n)
         for (int k = 0; k < 3; ++k) {
           p[n][k] = Fixed_integer<limbs>(image_[n]->coordinate[k]);
@@ -113,7 +159,7 @@ class Adaptive_fixed : public Adaptive_points {
             if (!has_weight_[n][w]) p[n][k] = Fixed_integer<limbs>(p[n][k] * weight_[w]->integer);
           if (shift_[n] != 0) p[n][k] = p[n][k] << shift_[n];
         }
-      return CGAL::Sign(expression(p).sign());
+      return p;
     }
 
     bool is_among_weights(const Binary_number<1>& weight) const

@@ -20,7 +20,7 @@ struct Double_double_image {
 
 /// An exact image times the weight of its pose: three integers times 2^exponent.
 struct Fixed_image {
-  static constexpr int limbs = 3;
+  static constexpr int limbs = 4;
 
   std::array<Fixed_integer<limbs>, 3> coordinate;
   int exponent = 0;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 namespace tetracone::kernel {
@@ -28,7 +29,7 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
 }
 
 /// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points. The
-/// points that it leaves undecided are decided one by one, and only these are counted (`Stage_counts`).
+/// points that it leaves undecided are decided by the other stages, and only these are counted (`Stage_counts`).
 template <>
 inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {
@@ -48,15 +49,13 @@ inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, co
   const double error = triangle[0]->error + maximum(triangle[1]->error, triangle[2]->error, points[0]->error,
                                                     points[1]->error, points[2]->error);
   const double bound = adaptive_bound::volume_bound(mx, my, mz, error);
+  const auto is_decided = [&](int k) { return determinant[k] > bound || determinant[k] < -bound; };
+  if (is_decided(0) + is_decided(1) + is_decided(2) < 2)
+    return Adaptive::unfiltered_sides(*triangle[0], *triangle[1], *triangle[2], points);
   std::array<Sign, 3> side;
-  for (int k = 0; k < 3; ++k) {
-    if (determinant[k] > bound)
-      side[k] = POSITIVE;
-    else if (determinant[k] < -bound)
-      side[k] = NEGATIVE;
-    else
-      side[k] = Adaptive::volume_sign(*triangle[0], *triangle[1], *triangle[2], *points[k]);
-  }
+  for (int k = 0; k < 3; ++k)
+    side[k] = is_decided(k) ? (determinant[k] > 0 ? POSITIVE : NEGATIVE)
+                            : Adaptive::unfiltered_volume_sign(*triangle[0], *triangle[1], *triangle[2], *points[k]);
   return side;
 }
 
@@ -83,6 +82,30 @@ Sign turn_alone_first(Corners<K>& triangle, const std::array<Sign, 3>& side)
   return ZERO;
 }
 
+/// True when an edge of p has all corners of q strictly on its outer side, in the projection along `axis`. Requires
+/// that p's normal has the sign `turn` there, not ZERO.
+template <class K>
+bool is_parted_by_edge(const Corners<K>& p, Sign turn, const Corners<K>& q, int axis)
+{
+  for (int k = 0; k < 3; ++k) {
+    const auto is_beyond = [&](const Point<K>* x) { return normal_sign<K>(*p[k], *p[(k + 1) % 3], *x, axis) == -turn; };
+    if (is_beyond(q[0]) && is_beyond(q[1]) && is_beyond(q[2])) return true;
+  }
+  return false;
+}
+
+/// True when two triangles of one plane share a point; nothing where a projection along one axis does not keep both
+/// triangles, as of one that is degenerate. Convex polygons are apart exactly where an edge of one parts them.
+template <class K>
+std::optional<bool> coplanar_triangles_meet(const Corners<K>& p, const Corners<K>& q)
+{
+  const int axis = projection_axis<K>(*p[0], *p[1], *p[2]);
+  if (axis < 0) return std::nullopt;
+  const Sign turn_p = normal_sign<K>(*p[0], *p[1], *p[2], axis), turn_q = normal_sign<K>(*q[0], *q[1], *q[2], axis);
+  if (turn_q == ZERO) return std::nullopt;
+  return !is_parted_by_edge<K>(p, turn_p, q, axis) && !is_parted_by_edge<K>(q, turn_q, p, axis);
+}
+
 }  // namespace detail
 
 /// True when two closed triangles share a point: also when they only touch, in one point. Exact when K's signs of these
@@ -91,7 +114,8 @@ Sign turn_alone_first(Corners<K>& triangle, const std::array<Sign, 3>& side)
 /// If each crosses the other's plane, both meet the planes' common line in intervals. Two signs of tetrahedra tell
 /// whether these overlap (after Guigue and Devillers, Journal of Graphics Tools 8, 2003). p0 and q0 are each alone on
 /// the positive side of the other plane. Then edges p0 p1 and q0 q1 bound the intervals at one end each, p0 p2 and q0
-/// q2 at the other. Triangles in one plane, or without one, are decided edge by edge.
+/// q2 at the other. Triangles in one plane are parted by an edge, if at all; those without a plane are decided edge by
+/// edge.
 template <class K>
 bool triangles_meet(Corners<K> p, Corners<K> q)
 {
@@ -102,6 +126,8 @@ bool triangles_meet(Corners<K> p, Corners<K> q)
   const Corners<K> whole_p = p, whole_q = q;
   const Sign alone_p = detail::turn_alone_first<K>(p, side_p), alone_q = detail::turn_alone_first<K>(q, side_q);
   if (alone_p == ZERO || alone_q == ZERO) {
+    if (alone_p == ZERO && alone_q == ZERO)
+      if (const std::optional<bool> meet = detail::coplanar_triangles_meet<K>(p, q)) return *meet;
     const auto edges_meet = [](const Corners<K>& e, const std::array<Sign, 3>& side, const Corners<K>& t) {
       for (int k = 0; k < 3; ++k) {
         const int l = k == 2 ? 0 : k + 1;

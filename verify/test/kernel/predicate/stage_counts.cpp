@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(each_stage_counts_the_sign_that_it_decides_and_no_other_doe
   BOOST_TEST((volume(at(2, 3, 1)) == one(Stage::filter)));
   BOOST_TEST((volume(b) == one(Stage::zero)));
   BOOST_TEST((volume(at(4, 3, 5 + 0x1p-50)) == one(Stage::fixed)));
-  BOOST_TEST((counted([&] { Adaptive::volume_sign(at(0x1p-200, 0, 0), b, c, at(4, 3, 5 + 0x1p-50)); }) ==
+  BOOST_TEST((counted([&] { Adaptive::volume_sign(at(0x1p-300, 0, 0), b, c, at(4, 3, 5 + 0x1p-50)); }) ==
               one(Stage::double_double)));
   BOOST_TEST((volume(at(4, 3, 5)) == one(Stage::grid)));
   const auto off_grid = [&](double x, double y, double z) {
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(each_stage_counts_the_sign_that_it_decides_and_no_other_doe
                 Adaptive::volume_sign(off_grid(0, 0, 0), off_grid(1, 2, 3), off_grid(3, 1, 2), off_grid(4, 3, 5));
               }) == one(Stage::fixed)));
   BOOST_TEST((counted([&] {
-                Adaptive::volume_sign(o, at(1, 0x1p-200, 0), at(0, 1, 0x1p-200), at(1, 1 + 0x1p-200, 0x1p-200));
+                Adaptive::volume_sign(o, at(1, 0x1p-300, 0), at(0, 1, 0x1p-300), at(1, 1 + 0x1p-300, 0x1p-300));
               }) == one(Stage::exact)));
   BOOST_TEST((volume(at(4e200, 3e200, 5e200)) == one(Stage::out_of_gate)));
   BOOST_TEST((counted([&] { Adaptive::normal_sign(o, b, at(2, 4, 7), 2); }) == one(Stage::grid)));
