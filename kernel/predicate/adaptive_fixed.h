@@ -183,7 +183,7 @@ class Adaptive_fixed : public Adaptive_points {
   }
   static bool is_equal(const Binary_number<1>& a, const Binary_number<1>& b)
   {
-    return a.integer == b.integer && a.exponent == b.exponent;
+    return a.integer.limb[0] == b.integer.limb[0] && a.exponent == b.exponent;
   }
 
   /// Returns the image of a point, which its slot keeps; `made` holds it where the point has none.
