@@ -132,7 +132,8 @@ class Adaptive_fixed : public Adaptive_points {
     /// Returns what `question` answers of the images; nothing where these are too wide for its products, which have at
     /// most three factors: differences of coordinates.
     template <class Question>
-    auto decide(const Question& question) const -> std::optional<decltype(question(std::array<Coordinates<1>, count>()))>
+    auto decide(const Question& question) const
+        -> std::optional<decltype(question(std::array<Coordinates<1>, count>()))>
     {
       if (bits_ <= most_bits_of<1>) return question(images<1>());
       if (bits_ <= most_bits_of<2>) return question(images<2>());

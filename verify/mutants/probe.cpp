@@ -290,7 +290,7 @@ void judge_double_double_stage(int rounds)
     const Pose pose(entries);
     const Vertex v = vertex(1);
     const Adaptive::Point_3 p = Adaptive::placed(v, pose);
-    const Adaptive::Double_double_image image = Adaptive::double_double_image(p);
+    const tetracone::kernel::Double_double_image image = Adaptive::double_double_image(p);
     for (int row = 0; row < 3; ++row) {
       Rational exact = entries[4 * row + 3],
                computed = Rational(image.coordinate[row].high) + Rational(image.coordinate[row].low), sum = abs(exact);
