@@ -164,6 +164,25 @@ struct Face_triangle {
   std::array<Index, 3> corner;  ///< numbers of vertices, in the face's direction
 };
 
+/// Returns the polyhedron of all vertices, whose faces are the triangles, and the faces that have none.
+inline Polyhedron each_triangle_a_face(const Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
+{
+  Polyhedron result;
+  result.vertices = polyhedron.vertices;
+  std::vector<bool> has_triangles(polyhedron.face_count(), false);
+  for (const Face_triangle& t : triangles) {
+    has_triangles[t.face] = true;
+    result.add_polygon(t.corner);
+  }
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    if (has_triangles[f]) continue;
+    std::vector<Loop> loops;
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) loops.push_back(polyhedron.loop(f, k));
+    result.add_face(loops);
+  }
+  return result;
+}
+
 }  // namespace tetracone::covering
 
 #endif

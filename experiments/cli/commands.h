@@ -22,6 +22,10 @@ void add_collide_command(CLI::App& app);
 /// `distance A B`: the double nearest to the exact distance, one line per pose.
 void add_distance_command(CLI::App& app);
 
+/// `relation A B`: which of the eight relations of solids holds, the dimension of the contact, and the volume of the
+/// overlap, one line per pose.
+void add_relation_command(CLI::App& app);
+
 /// `inside MODEL POINTS`: 1 inside, 0 on the surface, -1 outside, exactly, one line per point.
 void add_inside_command(CLI::App& app);
 

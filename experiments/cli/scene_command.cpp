@@ -25,7 +25,7 @@ namespace {
 
 struct Options {
   std::string file, csv, question = "solid", kernel = "adaptive", motion;
-  bool json = false, time = false;
+  bool json = false, time = false, relation = false;
   std::size_t memory = 0, threads = 1;
   std::int64_t budget = 0;
   Model_options models;
@@ -40,23 +40,29 @@ class Rows {
       text_ = options.time              ? "frame,pairs,ns,candidates,queries,nodes_made,bytes\n"
               : !options.motion.empty() ? "frame,a,b,lo,hi\n"
               : options.budget != 0     ? "frame,a,b,answer,at_most\n"
+              : options.relation        ? "frame,a,b,relation,dimension\n"
                                         : "frame,a,b\n";
     if (options.json) text_ = "[";
   }
 
-  void add(std::size_t frame, const Scene& scene, const std::vector<Scene_pair>& pairs, double ns)
+  /// `relations` are of the pairs, or none where they are not asked for.
+  void add(std::size_t frame, const Scene& scene, const std::vector<Scene_pair>& pairs,
+           const std::vector<Solid_contact>& relations, double ns)
   {
     const std::string number = std::to_string(frame);
     if (options_.json) {
-      text_ += (frame == 0 ? "\n" : ",\n") + json(number, scene, pairs, ns);
+      text_ += (frame == 0 ? "\n" : ",\n") + json(number, scene, pairs, relations, ns);
     } else if (options_.time) {
       text_ += row(number, scene, pairs.size(), ns);
     } else {
       const std::string comma = options_.csv.empty() ? " " : ",";
       const bool has_answers = options_.budget != 0 && !options_.csv.empty();
-      for (const Scene_pair& pair : pairs)
-        text_ +=
-            number + comma + std::to_string(pair.a) + comma + std::to_string(pair.b) + (has_answers ? ",1,0\n" : "\n");
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        text_ += number + comma + std::to_string(pairs[k].a) + comma + std::to_string(pairs[k].b);
+        if (!relations.empty())
+          text_ += comma + std::string(to_string(relations[k].relation)) + comma + dimension(relations[k], "-");
+        text_ += has_answers ? ",1,0\n" : "\n";
+      }
       for (const Undecided_pair& left : scene.undecided())
         text_ += number + comma + std::to_string(left.pair.a) + comma + std::to_string(left.pair.b) + comma +
                  "undecided" + comma + kernel::shortest(left.farthest) + "\n";
@@ -124,11 +130,25 @@ class Rows {
     return "[" + std::to_string(pair.a) + ", " + std::to_string(pair.b) + "]";
   }
 
-  std::string json(const std::string& number, const Scene& scene, const std::vector<Scene_pair>& pairs, double ns) const
+  static std::string dimension(const Solid_contact& contact, const char* none)
+  {
+    return contact.dimension < 0 ? none : std::to_string(contact.dimension);
+  }
+
+  std::string json(const std::string& number, const Scene& scene, const std::vector<Scene_pair>& pairs,
+                   const std::vector<Solid_contact>& relations, double ns) const
   {
     std::string text = "  {\"frame\": " + number + ", \"pairs\": [";
     for (const Scene_pair& pair : pairs) text += (&pair == &pairs.front() ? "" : ", ") + in_brackets(pair);
     text += "]";
+    if (options_.relation) {
+      text += ", \"relations\": [";
+      for (const Solid_contact& contact : relations)
+        text += (&contact == &relations.front() ? "" : ", ") +
+                ("{\"relation\": \"" + std::string(to_string(contact.relation))) +
+                "\", \"dimension\": " + dimension(contact, "null") + "}";
+      text += "]";
+    }
     if (options_.budget != 0) {
       text += ", \"undecided\": [";
       for (const Undecided_pair& left : scene.undecided())
@@ -194,6 +214,12 @@ void run(const Options& options)
   if (moves && options.motion != "linear" && options.motion != "rigid")
     throw CLI::ValidationError("--motion " + options.motion, "expected linear or rigid");
   if (moves && options.budget != 0) throw CLI::ValidationError("--budget", "expected without --motion");
+  if (options.relation && moves) throw CLI::ValidationError("--relation", "expected without --motion");
+  if (options.relation && options.budget != 0) throw CLI::ValidationError("--relation", "expected without --budget");
+  if (options.relation && *question != Question::solid)
+    throw CLI::ValidationError("--relation", "expected with --question solid");
+  if (options.relation && query->kernel != Kernel::adaptive)
+    throw CLI::ValidationError("--relation", "expected with --kernel adaptive");
   if (options.budget < 0) throw CLI::ValidationError("--budget", "expected nanoseconds, a number from 0");
 
   verify::Scene_file file(options.file, options.motion == "rigid");
@@ -223,7 +249,10 @@ void run(const Options& options)
       const Stopwatch watch;
       for (std::size_t body = 0; body < poses.size(); ++body) scene.place(body, poses[body]);
       const std::vector<Scene_pair>& pairs = scene.pairs();
-      rows.add(frame, scene, pairs, watch.nanoseconds());
+      std::vector<Solid_contact> relations;
+      if (options.relation)
+        for (const Scene_pair& pair : pairs) relations.push_back(scene.solid_relation(pair.a, pair.b));
+      rows.add(frame, scene, pairs, relations, watch.nanoseconds());
       progress.step();
     }
   } catch (const Error&) {
@@ -256,7 +285,12 @@ void add_scene_command(CLI::App& app)
       "linear: bodies move from each frame to the next, every point on a line, and what meets has a line `frame a b lo "
       "hi`, in order of the time t of its first contact, doubles lo <= t <= hi in [0, 1]; rigid: the same by the "
       "quaternion (1-t) q0 + t q1 and a translation, and a pose is 7 numbers, w x y z and the translation");
-  command->add_option("--csv", options->csv, "Write a table to this file: frame,a,b; with --motion frame,a,b,lo,hi");
+  command->add_flag("--relation", options->relation,
+                    "Lines `frame a b name dimension` for the pairs that share a point: one of the eight relations of "
+                    "solids, and the dimension of the contact, as `tetracone relation` tells it");
+  command->add_option("--csv", options->csv,
+                      "Write a table to this file: frame,a,b; with --motion frame,a,b,lo,hi; with --relation "
+                      "frame,a,b,relation,dimension");
   command->add_flag("--json", options->json, "Write JSON: an object a frame");
   command->add_flag("--time", options->time,
                     "With --csv or --json: a row a frame, frame,pairs,ns,candidates,queries,nodes_made,bytes");

@@ -82,6 +82,7 @@ int main(int argc, char** argv)
   tetracone::experiments::add_save_command(app);
   tetracone::experiments::add_collide_command(app);
   tetracone::experiments::add_distance_command(app);
+  tetracone::experiments::add_relation_command(app);
   tetracone::experiments::add_inside_command(app);
   tetracone::experiments::add_ray_command(app);
   tetracone::experiments::add_scene_command(app);

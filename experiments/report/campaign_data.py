@@ -22,7 +22,7 @@ REGIME = {family: regime for regime, families in {
     "exactly degenerate": "special-poses extreme-exponents exponent-gate coplanar-grid coplanar-parallelogram vertex-on-vertex "
                                                   "vertex-on-edge vertex-on-face edge-across-edge edge-along-edge edge-in-face-plane "
                                                   "face-on-face coplanar-sharing stacked degenerate-face duplicates true-rotation shear "
-                                                  "t-junctions voxels tangent-fan many-faces tiny-fractions",
+                                                  "t-junctions voxels tangent-fan many-faces tiny-fractions lego",
     "nested": "nested nested-touching cavity-wall covering-elements covering-apex winding-axis"}.items() for family in families.split()}
 
 

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_CONTACT_COPLANAR_ARRANGEMENT_H
 #define TETRACONE_KERNEL_CONTACT_COPLANAR_ARRANGEMENT_H
 
+#include "tetracone/kernel/contact/plane_slabs.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/predicate/face_contact.h"
@@ -10,6 +11,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,16 +26,18 @@ struct Rational_piece {
 
 namespace detail {
 
-/// Two faces of one plane, cut into trapezoids. Coordinates are the plane's, sheared so that no edge is upright. Slabs
-/// lie between the x of neighbouring corners and crossings. Edges cross a slab from left to right in an order that does
-/// not change within it, and winding numbers are summed from below.
+/// Two faces of one plane, cut into trapezoids: the parts of slabs between edges. Winding numbers are summed from below.
 class Coplanar_arrangement {
  public:
-  Coplanar_arrangement(const Rational_face& p, const Rational_face& q) : faces_{&p, &q}, axis_(p.axis())
+  Coplanar_arrangement(const Rational_face& p, const Rational_face& q)
+      : faces_{&p, &q}, plane_(p.axis(), std::array{&p.edges(), &q.edges()})
   {
-    choose_shear();
-    add_lines();
-    cut_into_slabs();
+    plane_.for_slabs(
+        [this](const Rational& left, const Rational& right, std::span<const Plane_slabs::Crossing> crossings) {
+          slabs_.push_back(slab(left, right, crossings));
+        });
+    parent_.resize(cell_count_);
+    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
     join_slabs();
   }
 
@@ -49,14 +53,6 @@ class Coplanar_arrangement {
   }
 
  private:
-  struct Line {  // an edge, from left to right
-    int face, direction;
-    Rational_point from, to;
-    Rational x0, y0, x1, y1;
-
-    Rational y(const Rational& x) const { return y0 + (x - x0) / (x1 - x0) * (y1 - y0); }
-    Rational_point point(const Rational& x) const { return between(from, to, (x - x0) / (x1 - x0)); }
-  };
   struct Curve {  // lines that coincide within a slab, and whether the cells below and above are shared
     Rational_point left, right;
     Rational y_left, y_right;
@@ -66,82 +62,20 @@ class Coplanar_arrangement {
   };
   using Slab = std::vector<Curve>;  // from below
 
-  std::pair<Rational, Rational> seen(const Rational_point& x) const
+  Slab slab(const Rational& left, const Rational& right, std::span<const Plane_slabs::Crossing> crossings)
   {
-    const Rational &u = x[(axis_ + 1) % 3], &v = x[(axis_ + 2) % 3];
-    return {Rational(u + shear_ * v), v};
-  }
-
-  void choose_shear()
-  {
-    const auto is_upright = [this](const Rational_face::Edge& edge) {
-      return edge.first != edge.second && seen(edge.first).first == seen(edge.second).first;
-    };
-    const auto has_upright = [&](const Rational_face* face) { return std::ranges::any_of(face->edges(), is_upright); };
-    for (int k = 1; std::ranges::any_of(faces_, has_upright); ++k) shear_ = Rational(1, k);
-  }
-
-  void add_lines()
-  {
-    for (int face = 0; face < 2; ++face)
-      for (const auto& [from, to] : faces_[face]->edges()) {
-        const auto [x0, y0] = add_node(from);
-        const auto [x1, y1] = add_node(to);
-        if (x0 < x1) lines_.push_back({face, 1, from, to, x0, y0, x1, y1});
-        if (x1 < x0) lines_.push_back({face, -1, to, from, x1, y1, x0, y0});
-      }
-    for (std::size_t k = 0; k < lines_.size(); ++k)
-      for (std::size_t l = 0; l < k; ++l) add_crossing(lines_[k], lines_[l]);
-  }
-
-  std::pair<Rational, Rational> add_node(const Rational_point& point)
-  {
-    auto at = seen(point);
-    nodes_.insert({at, point});
-    return at;
-  }
-
-  void add_crossing(const Line& a, const Line& b)
-  {
-    const Rational first = maximum(a.x0, b.x0), last = minimum(a.x1, b.x1);
-    if (!(first < last)) return;
-    const Rational below = a.y(first) - b.y(first), above = a.y(last) - b.y(last);
-    if (sgn(below) * sgn(above) < 0) add_node(a.point(first + below / (below - above) * (last - first)));
-  }
-
-  void cut_into_slabs()
-  {
-    for (const auto& [at, point] : nodes_)
-      if (stops_.empty() || stops_.back() != at.first) stops_.push_back(at.first);
-    for (std::size_t k = 0; k + 1 < stops_.size(); ++k) slabs_.push_back(slab(stops_[k], stops_[k + 1]));
-    parent_.resize(cell_count_);
-    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
-  }
-
-  Slab slab(const Rational& left, const Rational& right)
-  {
-    struct Crossing {
-      Rational y_left, y_right;
-      const Line* line;
-    };
-    std::vector<Crossing> crossings;
-    for (const Line& line : lines_)
-      if (line.x0 <= left && line.x1 >= right) crossings.push_back({line.y(left), line.y(right), &line});
-    const auto twice_middle = [](const Crossing& c) { return Rational(c.y_left + c.y_right); };
-    std::ranges::sort(crossings, {}, twice_middle);
     Slab curves;
     std::array<int, 2> winding = {0, 0};
     const auto is_in = [&](int face) { return winding[face] != 0; };
     for (std::size_t k = 0; k < crossings.size();) {
-      const Crossing& first = crossings[k];
+      const Plane_slabs::Crossing& first = crossings[k];
       Curve curve{first.line->point(left), first.line->point(right), first.y_left, first.y_right};
       curve.below = is_in(0) && is_in(1);
       curve.cell_below = cell_count_;
       const std::array<bool, 2> was_in = {is_in(0), is_in(1)};
-      for (; k < crossings.size() && crossings[k].y_left == curve.y_left && crossings[k].y_right == curve.y_right;
-           ++k) {
-        curve.on[crossings[k].line->face] = true;
-        winding[crossings[k].line->face] += crossings[k].line->direction;
+      for (; k < crossings.size() && crossings[k].coincides(first); ++k) {
+        curve.on[crossings[k].line->owner] = true;
+        winding[crossings[k].line->owner] += crossings[k].line->direction;
       }
       curve.above = is_in(0) && is_in(1);
       curve.shared = (curve.on[0] || was_in[0]) && (curve.on[1] || was_in[1]);
@@ -254,7 +188,7 @@ class Coplanar_arrangement {
 
   void add_points(std::vector<Rational_piece>& pieces) const
   {
-    for (const auto& [at, point] : nodes_) {
+    for (const auto& [at, point] : plane_.nodes()) {
       const Feature in_p = faces_[0]->locate(point), in_q = faces_[1]->locate(point);
       if (in_p != Feature::none && in_q != Feature::none && !is_held(at.first, at.second))
         pieces.push_back({Piece::point, in_p, in_q, {{point}}});
@@ -264,7 +198,7 @@ class Coplanar_arrangement {
   /// True when a polygon or segment holds the node.
   bool is_held(const Rational& x, const Rational& y) const
   {
-    const auto k = std::size_t(std::ranges::lower_bound(stops_, x) - stops_.begin());
+    const auto k = std::size_t(std::ranges::lower_bound(plane_.stops(), x) - plane_.stops().begin());
     const auto holds = [&](const Slab& slab, Rational Curve::*border) {
       for (std::size_t c = 0; c < slab.size(); ++c) {
         if (slab[c].shared && slab[c].*border == y) return true;
@@ -276,11 +210,7 @@ class Coplanar_arrangement {
   }
 
   std::array<const Rational_face*, 2> faces_;
-  int axis_;
-  Rational shear_ = 0;
-  std::vector<Line> lines_;
-  std::map<std::pair<Rational, Rational>, Rational_point> nodes_;  // corners and crossings, by where they are seen
-  std::vector<Rational> stops_;                                    // their x
+  Plane_slabs plane_;
   std::vector<Slab> slabs_;
   std::size_t cell_count_ = 0;
   std::vector<std::size_t> parent_;

@@ -35,6 +35,13 @@ inline Rational_point between(const Rational_point& a, const Rational_point& b, 
   return p;
 }
 
+/// True when x is in the inside of the segment from p to q.
+inline bool is_inside_segment(const Rational_point& x, const Rational_point& p, const Rational_point& q)
+{
+  const Rational_point a = difference(p, x), b = difference(q, x);
+  return is_zero(cross(a, b)) && sgn(dot(a, b)) < 0;
+}
+
 /// A planar face in rationals: its directed edges, and its plane where its corners are not on one line.
 class Rational_face {
  public:
@@ -66,11 +73,10 @@ class Rational_face {
     Feature at = Feature::none;
     for (const auto& [from, to] : edges_) {
       if (x == from) return Feature::vertex;
-      const Rational_point a = difference(from, x), b = difference(to, x);
-      if (is_zero(cross(a, b)) && sgn(dot(a, b)) < 0) at = Feature::edge;
+      if (is_inside_segment(x, from, to)) at = Feature::edge;
     }
     if (at != Feature::none || !has_plane() || beyond(x) != 0) return at;
-    return winding(x) != 0 ? Feature::interior : Feature::none;
+    return winding(x, axis()) != 0 ? Feature::interior : Feature::none;
   }
 
   /// Returns the axis of the normal's largest magnitude: along it the face's projection is not flat.
@@ -82,12 +88,12 @@ class Rational_face {
     return axis;
   }
 
- private:
-  /// Returns the winding number of the loops about a point of the plane that is on none of them: signed crossings of a
-  /// ray.
-  int winding(const Rational_point& x) const
+  /// Returns the winding number of the loops about x, both as seen from the far end of axis k: signed crossings of a
+  /// ray. Where x is seen on a loop, it counts as moved by an infinitesimal, the same for all faces. A face that is seen
+  /// as a line has the winding number 0.
+  int winding(const Rational_point& x, int k) const
   {
-    const int u = (axis() + 1) % 3, v = (axis() + 2) % 3;
+    const int u = (k + 1) % 3, v = (k + 2) % 3;
     int winding = 0;
     for (const auto& [from, to] : edges_) {
       const bool from_above = from[v] > x[v], to_above = to[v] > x[v];
@@ -99,6 +105,7 @@ class Rational_face {
     return winding;
   }
 
+ private:
   std::vector<Edge> edges_;
   Rational_point along_, normal_;
 };

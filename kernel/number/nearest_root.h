@@ -3,8 +3,10 @@
 
 #include "tetracone/kernel/number/number.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace tetracone::kernel {
 
@@ -41,6 +43,32 @@ inline double nearest_root(const Rational& top, const Rational& bottom)
 }
 /// Returns the double nearest to the root of a rational that is not negative.
 inline double nearest_root(const Rational& square) { return nearest_root(square.get_num(), square.get_den()); }
+
+/// Returns two doubles that enclose the sum of the roots of rationals that are not negative: equal where the sum is a
+/// double, else neighbours. The upper one is infinite where the sum exceeds all doubles.
+///
+/// Each root is scaled by 2^k and rounded down. More bits are taken until the sum and the count of roots that are not
+/// whole leave no double within. This ends: a sum of irrational roots is no rational number.
+inline std::array<double, 2> enclosed_root_sum(std::span<const Rational> squares)
+{
+  for (mp_bitcnt_t k = 64;; k *= 2) {
+    mpz_class sum = 0, rounded = 0, unit = 1, root, left;
+    unit <<= k;
+    for (const Rational& square : squares) {
+      const mpz_class scaled = (square.get_num() << 2 * k) / square.get_den();
+      mpz_sqrtrem(root.get_mpz_t(), left.get_mpz_t(), scaled.get_mpz_t());
+      sum += root;
+      rounded += left != 0 || (square.get_num() << 2 * k) % square.get_den() != 0;
+    }
+    Rational low(sum, unit), high(mpz_class(sum + rounded), unit);
+    low.canonicalize();
+    high.canonicalize();
+    double below = nearest_double(low), above = nearest_double(high);
+    if (!std::isfinite(below) || Rational(below) > low) below = std::nextafter(below, -HUGE_VAL);
+    if (std::isfinite(above) && Rational(above) < high) above = std::nextafter(above, HUGE_VAL);
+    if (above <= std::nextafter(below, HUGE_VAL)) return {below, above};
+  }
+}
 
 }  // namespace tetracone::kernel
 

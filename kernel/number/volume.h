@@ -10,6 +10,17 @@
 
 namespace tetracone::kernel {
 
+/// Returns the number as a rational.
+inline Rational rational(const CGAL::Mpzf& number)
+{
+  mpq_t rational;
+  mpq_init(rational);
+  number.export_to_mpq_t(rational);
+  const Rational result(rational);
+  mpq_clear(rational);
+  return result;
+}
+
 /// Six times a signed volume, summed exactly.
 class Volume_sum {
  public:
@@ -22,15 +33,7 @@ class Volume_sum {
            CGAL::determinant<Number>(d(a, 0), d(a, 1), d(a, 2), d(b, 0), d(b, 1), d(b, 2), d(c, 0), d(c, 1), d(c, 2));
   }
 
-  Rational value() const
-  {
-    mpq_t rational;
-    mpq_init(rational);
-    sum_.export_to_mpq_t(rational);
-    const Rational result(rational);
-    mpq_clear(rational);
-    return result;
-  }
+  Rational value() const { return rational(sum_); }
 
  private:
   CGAL::Mpzf sum_ = 0;

@@ -44,6 +44,44 @@ constexpr std::string_view to_string(Relation relation)
   return "apart";
 }
 
+/// The eight relations of two placed solids A and B: exactly one holds. The interior of a solid is the set of points
+/// that have a whole ball around them inside it. (Names by Egenhofer; RCC-8 has the same eight.)
+enum class Solid_relation {
+  disjoint,    ///< A and B share no point
+  meet,        ///< they share a point, their interiors share none, neither contains the other
+  overlap,     ///< their interiors share a point, neither contains the other
+  equal,       ///< A and B are one set of points, however it is divided into faces
+  inside,      ///< A lies in the interior of B
+  contains,    ///< B lies in the interior of A
+  covered_by,  ///< A lies in B, not in its interior, and is not B
+  covers       ///< B lies in A, not in its interior, and is not A
+};
+
+/// Returns the enumerator's own name.
+constexpr std::string_view to_string(Solid_relation relation)
+{
+  switch (relation) {
+    case Solid_relation::disjoint: return "disjoint";
+    case Solid_relation::meet: return "meet";
+    case Solid_relation::overlap: return "overlap";
+    case Solid_relation::equal: return "equal";
+    case Solid_relation::inside: return "inside";
+    case Solid_relation::contains: return "contains";
+    case Solid_relation::covered_by: return "covered_by";
+    case Solid_relation::covers: return "covers";
+  }
+  return "disjoint";
+}
+
+/// How two placed solids stand, and how large the set is that their surfaces share.
+struct Solid_contact {
+  Solid_relation relation;
+  int dimension;  ///< of that set: 0 points alone, 1 a segment and no area, 2 an area; -1 where it is empty
+
+  /// True when both members are equal.
+  friend bool operator==(const Solid_contact&, const Solid_contact&) = default;
+};
+
 }  // namespace tetracone::kernel
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/model.h"
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/covering/side_windings.h"
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/rational_contact.h"
 #include "tetracone/kernel/predicate/contact.h"
@@ -249,17 +250,7 @@ class Face_pairs {
   {
     const auto known = exact_faces_[body].find(f);
     if (known != exact_faces_[body].end()) return known->second;
-    std::array<kernel::Rational, 12> m;
-    for (int k = 0; k < 12; ++k) m[k] = pose.exact(k);
-    std::vector<kernel::Rational_face::Edge> edges;
-    for (std::size_t l = 0; l < faces.polyhedron().loop_count(f); ++l) {
-      const covering::Loop loop = faces.polyhedron().loop(f, l);
-      std::vector<kernel::Rational_point> points;
-      for (const Index v : loop) points.push_back(kernel::image(faces.polyhedron().vertices[v], m));
-      for (std::size_t k = 0; k < points.size(); ++k)
-        edges.push_back({points[k], points[k + 1 == points.size() ? 0 : k + 1]});
-    }
-    return exact_faces_[body].emplace(f, kernel::Rational_face(std::move(edges))).first->second;
+    return exact_faces_[body].emplace(f, covering::rational_face(faces.polyhedron(), f, pose)).first->second;
   }
 
   /// Adds contacts of the edges that a triangle owns with a triangle.

@@ -19,6 +19,10 @@
 #include <utility>
 #include <vector>
 
+namespace tetracone::tetratree {
+class Solid_sides;
+}
+
 namespace tetracone::detail {
 
 /// The data that copies of a `Body` share. Parts are made on demand, once, by the first thread that needs them.
@@ -66,6 +70,20 @@ struct Body_data {
     return *point_locator_;
   }
 
+  /// Returns this body with each of its triangles as a face of its own; faces without triangles stay as they are.
+  const Body_data& by_triangles() const
+  {
+    if (triangles.empty()) return *this;
+    std::call_once(by_triangles_once_, [this] {
+      by_triangles_ = std::make_unique<const Body_data>(covering::each_triangle_a_face(polyhedron, triangles),
+                                                        std::vector<covering::Face_triangle>());
+    });
+    return *by_triangles_;
+  }
+
+  /// Returns which sides of its faces are in the solid. Requires a closed polyhedron, and `this == &by_triangles()`.
+  const tetratree::Solid_sides& solid_sides() const;
+
   /// Returns the polyhedron as K sees it. The fast tree holds the adaptive kernel's model.
   template <class K>
   const covering::Model<K>& model() const
@@ -92,11 +110,13 @@ struct Body_data {
   }
 
  private:
-  mutable std::once_flag closed_once_, bvh8_once_, point_locator_once_;
+  mutable std::once_flag closed_once_, bvh8_once_, point_locator_once_, by_triangles_once_, solid_sides_once_;
   mutable bool closed_ = false;
   mutable std::optional<tetratree::Bvh8> bvh8_;
   mutable std::atomic<const tetratree::Bvh8*> made_bvh8_ = nullptr;
   mutable std::optional<tetratree::Point_locator> point_locator_;
+  mutable std::unique_ptr<const Body_data> by_triangles_;
+  mutable std::shared_ptr<const tetratree::Solid_sides> solid_sides_;
   mutable std::mutex trees_lock_;
   mutable std::map<std::string, std::shared_ptr<void>> trees_;
   mutable std::map<std::type_index, std::shared_ptr<void>> models_;

@@ -35,7 +35,7 @@ Query::Query(const Body& a, const Body& b, Question question, const Query_option
   }
   if (options.method == Method::tree) make_roots(*a.data_, *b.data_);
   data_ = std::make_unique<detail::Query_data>(detail::Query_data{
-      question, detail::make_solver(a.data_, b.data_, options), a.data_, b.data_, options, nullptr, nullptr});
+      question, detail::make_solver(a.data_, b.data_, options), a.data_, b.data_, options, nullptr, nullptr, nullptr});
 }
 
 Query::~Query() = default;
@@ -102,6 +102,7 @@ Query_statistics Query::statistics() const
   Query_statistics all = data().solver->statistics();
   if (data().distance) all += data().distance->statistics();
   if (data().motion) all += data().motion->motion.counts();
+  if (data().relation) all += data().relation->statistics();
   return all;
 }
 void Query::clear_statistics()
@@ -109,6 +110,7 @@ void Query::clear_statistics()
   data().solver->clear_statistics();
   if (data().distance) data().distance->clear_statistics();
   if (data().motion) data().motion->motion.clear_counts();
+  if (data().relation) data().relation->clear_statistics();
 }
 std::size_t Query::bytes() const { return data().solver->bytes(); }
 std::size_t Query::node_count() const { return data().solver->node_count(); }

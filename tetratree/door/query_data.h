@@ -3,6 +3,7 @@
 
 #include "tetracone/tetratree/door/distance_solver.h"
 #include "tetracone/tetratree/door/motion_solver.h"
+#include "tetracone/tetratree/door/relation_solver.h"
 #include "tetracone/tetratree/door/solver.h"
 
 #include <memory>
@@ -17,6 +18,7 @@ struct Query_data {
   Query_options options;
   std::unique_ptr<Distance_solver> distance;  // made when a distance is asked for
   std::unique_ptr<Motion_solver> motion;      // made when a motion is
+  std::unique_ptr<Relation_solver> relation;  // made when a relation of solids or an overlap is
 };
 
 }  // namespace tetracone::detail

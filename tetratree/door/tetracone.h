@@ -9,6 +9,7 @@
 #include "tetracone/tetratree/door/contacts.h"
 #include "tetracone/tetratree/door/motion.h"
 #include "tetracone/tetratree/door/nearest.h"
+#include "tetracone/tetratree/door/overlap.h"
 #include "tetracone/tetratree/door/query_options.h"
 #include "tetracone/tetratree/query_statistics.h"
 #include "tetracone/tetratree/ray_hit.h"
@@ -34,6 +35,8 @@ namespace kernel {
 class Pose;
 /// Writes the name: apart, surfaces, a_in_b, b_in_a.
 inline std::ostream& operator<<(std::ostream& out, Relation relation) { return out << to_string(relation); }
+/// Writes the enumerator's own name.
+inline std::ostream& operator<<(std::ostream& out, Solid_relation relation) { return out << to_string(relation); }
 }  // namespace kernel
 namespace tetratree {
 struct Pair_memory;
@@ -52,6 +55,8 @@ using kernel::Contact;
 using kernel::Feature_pair;
 using kernel::Question;
 using kernel::Relation;
+using kernel::Solid_contact;
+using kernel::Solid_relation;
 using tetratree::Query_statistics;
 using tetratree::Ray;
 using tetratree::Ray_hit;
@@ -256,6 +261,23 @@ class Query {
   bool within(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
   /// Same, for poses of the templates. Requires det M != 0.
   bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
+
+  /// Returns which of the eight relations of solids holds, and the dimension of what the surfaces share. Throws Error
+  /// for `Question::surface`, for a kernel that is not adaptive, and as `collide`.
+  Solid_contact solid_relation(const Pose& pose_a, const Pose& pose_b);
+  /// Same, for poses of the templates. Requires det M != 0.
+  Solid_contact solid_relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// Returns the relation alone. It ends at the first proper crossing, at about the price of `collide`; a dimension
+  /// needs all contacts. Throws as `solid_relation`.
+  Solid_relation solid_relation_alone(const Pose& pose_a, const Pose& pose_b);
+  /// Same, for poses of the templates. Requires det M != 0.
+  Solid_relation solid_relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// Returns the volume and the centroid of the overlap, and the area of contact, exactly. Throws as `solid_relation`.
+  Overlap overlap(const Pose& pose_a, const Pose& pose_b);
+  /// Same, for poses of the templates. Requires det M != 0.
+  Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Returns, after `apart`, a lower bound of the distance; 0 if the query did not compute one.
   double certified_gap() const;

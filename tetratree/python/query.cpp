@@ -230,6 +230,63 @@ py::object within(Locked_query& self, const py::object& limit, const py::object&
                       [&](Query& query, const Pose& a, const Pose& b) { return query.within(a, b, most); });
 }
 
+py::object solid_relation(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
+{
+  const Pose_pairs poses(poses_b, poses_a);
+  using Relation_word = Word<10>;
+  static_assert(sizeof(Relation_word) == 4 * 10);
+  py::array relations(py::dtype("U10"), poses.count);
+  py::array_t<std::int8_t> dimensions(static_cast<py::ssize_t>(poses.count));
+  auto* const relation = static_cast<Relation_word*>(relations.mutable_data());
+  std::int8_t* const dimension = dimensions.mutable_data();
+  ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
+    const Solid_contact contact = query.solid_relation(a, b);
+    relation[k] = to_string(contact.relation);
+    dimension[k] = std::int8_t(contact.dimension);
+  });
+  if (poses.is_one()) return py::make_tuple(py::str(relations[py::int_(0)]), int(dimension[0]));
+  return py::make_tuple(relations, dimensions);
+}
+
+py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
+{
+  const Pose_pairs poses(poses_b, poses_a);
+  std::vector<Overlap> found(poses.count);
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.overlap(a, b); });
+  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  const auto fractions = [&](const std::array<std::string, 3>& x) {
+    return py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2]));
+  };
+  const auto doubles = [&](const auto& values_of) {
+    const auto width = py::ssize_t(values_of(Overlap()).size());
+    py::array_t<double> array(width == 1 ? std::vector<py::ssize_t>{py::ssize_t(found.size())}
+                                         : std::vector<py::ssize_t>{py::ssize_t(found.size()), width});
+    double* at = array.mutable_data();
+    for (const Overlap& each : found)
+      for (const double x : values_of(each)) *at++ = x;
+    return array;
+  };
+  py::list exact_volumes, exact_centroids, exact_vectors;
+  for (const Overlap& each : found) {
+    exact_volumes.append(fraction(each.exact_volume));
+    exact_centroids.append(fractions(each.exact_centroid));
+    exact_vectors.append(fractions(each.exact_contact_vector));
+  }
+  py::dict columns;
+  columns["volume"] = doubles([](const Overlap& each) { return std::array{each.volume}; });
+  columns["centroid"] = doubles([](const Overlap& each) { return each.centroid; });
+  columns["contact_area"] = doubles([](const Overlap& each) { return each.contact_area; });
+  columns["contact_vector"] = doubles([](const Overlap& each) { return each.contact_vector; });
+  columns["exact_volume"] = exact_volumes;
+  columns["exact_centroid"] = exact_centroids;
+  columns["exact_contact_vector"] = exact_vectors;
+  if (!poses.is_one()) return columns;
+  py::dict one;
+  for (const auto& [name, column] : columns) one[name] = column[py::int_(0)];
+  return one;
+}
+
 py::object features(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
@@ -399,6 +456,32 @@ each, a str. Arguments as of `collide`.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).relation([[0.25, 0, 0, 0.125], [0, 0.25, 0, 0.125], [0, 0, 0.25, 0.125]])
 'b_in_a'
+)")
+      .def("solid_relation", of_poses<&solid_relation>("solid_relation"), poses_b, poses_a,
+           R"(solid_relation(poses_b, *, poses_a=None)
+
+Which of the eight relations of solids holds, and the dimension of what the surfaces share: arrays (n,) of "disjoint",
+"meet", "overlap", "equal", "inside", "contains", "covered_by" or "covers", and of int8: 0 points, 1 a segment, 2 an
+area, -1 nothing; of one pose of each, a str and an int. Solids that only touch "meet". Arguments as of `collide`. Raises
+Error for question "surface", and for a kernel that is not adaptive.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).solid_relation([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]])
+('meet', 0)
+)")
+      .def("overlap", of_poses<&overlap>("overlap"), poses_b, poses_a, R"(overlap(poses_b, *, poses_a=None)
+
+How much the solids overlap and touch: a dict of arrays, `volume` (n,) and `centroid` (n, 3) of the intersection of the
+interiors, `contact_area` (n, 2), doubles that enclose the area that faces share, and `contact_vector` (n, 3), the sum of
+area times outward unit normal of a; and of lists of fractions.Fraction, `exact_volume`, `exact_centroid` and
+`exact_contact_vector`. Each double is the one nearest to its fraction. Of one pose of each, the single values. Arguments
+and errors as of `solid_relation`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).overlap([[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_volume"]
+Fraction(1, 48)
 )")
       .def("distance", of_poses<&distance>("distance"), poses_b, poses_a, R"(distance(poses_b, *, poses_a=None)
 

@@ -292,6 +292,15 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           },
           a, b, "relation(a, b)\n\nHow two placed bodies stand, as `Query.relation`.")
       .def(
+          "solid_relation",
+          [](Locked_scene& self, std::size_t first, std::size_t second) {
+            const Solid_contact contact = self.alone([&](Scene& scene) { return scene.solid_relation(first, second); });
+            return std::pair(std::string(to_string(contact.relation)), contact.dimension);
+          },
+          a, b,
+          "solid_relation(a, b)\n\nWhich of the eight relations of solids holds for two placed bodies, as "
+          "`Query.solid_relation`.")
+      .def(
           "contacts",
           [](Locked_scene& self, std::size_t first, std::size_t second) {
             return self.alone([&](Scene& scene) { return scene.contacts(first, second); });

@@ -65,6 +65,18 @@ Relation Scene::relation(std::size_t a, std::size_t b)
     return query.collide(pose_a, pose_b).relation();
   });
 }
+Solid_contact Scene::solid_relation(std::size_t a, std::size_t b)
+{
+  return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
+    return query.solid_relation(pose_a, pose_b);
+  });
+}
+Overlap Scene::overlap(std::size_t a, std::size_t b)
+{
+  return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
+    return query.overlap(pose_a, pose_b);
+  });
+}
 Contacts Scene::contacts(std::size_t a, std::size_t b)
 {
   return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {

@@ -129,6 +129,11 @@ class Scene {
 
   /// Returns how two placed bodies stand now. Throws Error as `pairs`, and for bodies that are not placed.
   Relation relation(std::size_t body_a, std::size_t body_b);
+  /// Returns which of the eight relations of solids holds for them. Throws as `relation`, and as
+  /// `Query::solid_relation`.
+  Solid_contact solid_relation(std::size_t body_a, std::size_t body_b);
+  /// Returns how much they overlap. Throws as `solid_relation`.
+  Overlap overlap(std::size_t body_a, std::size_t body_b);
   /// Returns all pairs of their faces that share a point. Throws as `relation`, and as `Query::contacts`.
   Contacts contacts(std::size_t body_a, std::size_t body_b);
   /// Returns their distance. Throws as `relation`, and as `Query::distance`.

@@ -21,10 +21,12 @@ namespace tetracone::verify {
 ///    length, which is higher. At the level 'distances' an answer is its number of right statements, and the truth is
 ///    the number of statements. At the level 'motions' the questions 'surface' and 'solid' are whether bodies meet.
 ///    'surface time' and 'solid time' are asked where both truth and answer say that they meet: 0 for the exact time,
-///    -1 for an earlier, 1 for a later one.
+///    -1 for an earlier, 1 for a later one. At the level 'relations' the question 'relation' is the number of one of
+///    the eight, 'dimension' that of the contact, and 'overlap' the number of right statements about the overlap.
 ///  - truth: cases by question, with the number of positive answers and the number also known by construction.
 ///    Each is the answer of both truths. At the level 'motions' the second truth does not decide all; there
-///    by_construction counts those that it decides.
+///    by_construction counts those that it decides. At the level 'relations' the questions are the eight relations, and
+///    the second truth is the family's count, or the volumes of bodies with few faces.
 ///  - wrong: the wrong answers among the first `kept_one_by_one` cases of each family, one by one.
 ///  - failure: how subjects failed, how often, and their message the first time, on the case with the number `first`. A
 ///    program's message is its last line of standard error, which may differ in another run.

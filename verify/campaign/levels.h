@@ -148,6 +148,12 @@ struct Motions : Motion_level {
   static Findings judge(const Job<Motions>& job);
 };
 
+struct Relations : Of_two_bodies<Solid_level> {
+  static constexpr std::string_view name = "relations";
+  static std::vector<Subject> subjects() { return solid_subjects(); }
+  static Findings judge(const Job<Relations>& job);
+};
+
 }  // namespace levels
 
 /// A level's part of a campaign.
@@ -162,7 +168,7 @@ struct Asked {
 template <template <class> class Some>
 using For_levels = std::tuple<Some<levels::Predicates>, Some<levels::Objects>, Some<levels::Features>,
                               Some<levels::Contacts>, Some<levels::Distances>, Some<levels::Points>, Some<levels::Rays>,
-                              Some<levels::Scenes>, Some<levels::Motions>>;
+                              Some<levels::Scenes>, Some<levels::Motions>, Some<levels::Relations>>;
 
 /// Calls visit(Some<Level>) for every level.
 template <class Parts, class Visit>

@@ -2,6 +2,7 @@
 #define TETRACONE_VERIFY_CASES_CASE_H
 
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
 
@@ -57,13 +58,23 @@ struct Predicate_case {
   Origin origin;
 };
 
+/// The relation of two placed solids, and the intersection of their interiors.
+struct Solid_overlap {
+  kernel::Solid_contact contact;
+  kernel::Rational volume = 0;
+  std::array<kernel::Rational, 3> centroid = {0, 0, 0};  ///< 0 where the volume is 0
+
+  friend bool operator==(const Solid_overlap&, const Solid_overlap&) = default;
+};
+
 /// Two polyhedra with planar faces under two poses. Neighbouring cases of a family may share their polyhedra, so that a
 /// subject prepares them only once.
 struct Object_case {
   std::shared_ptr<const covering::Polyhedron> a, b;
   kernel::Pose pose_a, pose_b;
   Origin origin;
-  std::optional<bool> surface, solid;  ///< the answers, if the family knows them by construction
+  std::optional<bool> surface, solid;      ///< the answers, if the family knows them by construction
+  std::optional<Solid_overlap> overlap{};  ///< likewise
 
   std::optional<bool> known(kernel::Question question) const
   {

@@ -246,6 +246,13 @@ std::vector<Family> entries()
         {0, 500, 1000, 1015}},
        predicate_family::tiny_fractions,
        object_family::tiny_fractions},
+      {{"lego",
+        "bodies of unit cells, cut and merged in any way, whose relation and overlap are counted",
+        "1 anywhere, 2 a copy, 3 a part, 4 beside, 5 within, 6 in a cavity, 7 of cancelling shells, 8 half a cell off; "
+        "of points: size of the grid",
+        {1, 2, 3, 4, 5, 6, 7, 8}},
+       predicate_family::voxels,
+       object_family::lego_bricks},
   };
 }
 

@@ -26,6 +26,8 @@ Generator sliver, needle, tangent_fan;
 Generator nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_junctions;
 // meshes: of 10^3 to 10^5 triangles
 Generator many_faces;
+// bodies of unit cells
+Generator lego_bricks;
 // scales: exponents
 Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild, tiny_fractions;
 // poses: the maps

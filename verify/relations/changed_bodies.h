@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -29,6 +30,11 @@ struct Changed_body {
     of_face.push_back(f);
   }
 };
+
+inline std::shared_ptr<const covering::Polyhedron> as_shared(covering::Polyhedron body)
+{
+  return std::make_shared<const covering::Polyhedron>(std::move(body));
+}
 
 inline std::vector<std::vector<covering::Index>> loops_of(const covering::Polyhedron& polyhedron, covering::Index f)
 {

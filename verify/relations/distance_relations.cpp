@@ -27,11 +27,6 @@ Verdict times_as_far(const Distance_level::Trial& t, const Rational& factor, con
   return verdict(Rational(there.answer.nearest.squared) == factor * Rational(t.given.nearest.squared));
 }
 
-std::shared_ptr<const Polyhedron> as_shared(Polyhedron body)
-{
-  return std::make_shared<const Polyhedron>(std::move(body));
-}
-
 Verdict as_far_swapped(const Distance_level::Trial& t) { return times_as_far(t, 1, with_bodies_swapped(t.c)); }
 
 /// Relation: both poses are followed by a permutation of the axes and a scaling by `factor`.

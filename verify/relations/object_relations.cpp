@@ -3,6 +3,7 @@
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/tetrahedron.h"
 #include "verify/relations/changed_bodies.h"
+#include "verify/relations/convex_body.h"
 #include "verify/relations/moved_twins.h"
 #include "verify/relations/relations.h"
 
@@ -335,27 +336,6 @@ Verdict opposite_moves(const Object_level::Trial& t)
 }
 
 // --- along a translation ---------------------------------------------------------------------------------------------
-
-/// Requires a closed polyhedron. True when its solid is the convex hull of its vertices: every face has all of them on
-/// one side, which leaves one region inside, and that has a winding number, for there is a volume.
-bool is_convex(const Polyhedron& what)
-{
-  const covering::Covering covering(what);
-  for (Index f = 0; f < what.face_count(); ++f) {
-    const auto& base = covering.plane_basis(f);
-    if (!base) return false;
-    const auto point = [&](Index v) { return Adaptive::unmoved(what.vertices[v]); };
-    CGAL::Sign side = CGAL::ZERO;
-    for (const auto& [from, to] : covering.edges())
-      for (const Index v : {from, to}) {
-        const CGAL::Sign of_v =
-            Adaptive::volume_sign(point((*base)[0]), point((*base)[1]), point((*base)[2]), point(v));
-        if (of_v * side == CGAL::NEGATIVE) return false;
-        if (of_v != CGAL::ZERO) side = of_v;
-      }
-  }
-  return covering::volume(what) != 0;
-}
 
 Verdict monotone(const Object_level::Trial& t)
 {

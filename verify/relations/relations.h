@@ -36,6 +36,10 @@ std::span<const Contact_level::Relation> contact_relations();
 using Distance_level = Level<Object_case, Distance_answer, Running_subject>;
 std::span<const Distance_level::Relation> distance_relations();
 
+/// Two bodies: which of the eight relations of solids holds, and how much they overlap.
+using Solid_level = Level<Object_case, Solid_answer, Running_subject>;
+std::span<const Solid_level::Relation> solid_relations();
+
 /// A body: where a point is.
 using Point_level = Level<Probe_case, int>;
 std::span<const Point_level::Relation> point_relations();

@@ -202,6 +202,13 @@ std::vector<Object_subject> distance_subjects()
   return subjects;
 }
 
+std::vector<Object_subject> solid_subjects()
+{
+  std::vector<Object_subject> subjects = distance_subjects();
+  std::erase_if(subjects, [](const Object_subject& subject) { return subject.own->kernel != Kernel_name::adaptive; });
+  return subjects;
+}
+
 Contact_forms contact_forms(const Contacts& contacts)
 {
   Contact_forms forms;

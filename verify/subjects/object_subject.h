@@ -8,6 +8,7 @@
 #include "verify/subjects/subject.h"
 #include "verify/truth/contact_pieces.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -32,6 +33,14 @@ struct Distance_answer {
   double alone = 0;  ///< the distance, asked for without the rest
 };
 
+/// The relation of two placed solids, and their overlap.
+struct Solid_answer {
+  Solid_overlap overlap;
+  kernel::Solid_relation alone{};  ///< the relation, asked for without the rest
+  double volume = 0;               ///< that of the overlap, rounded
+  std::array<double, 3> centroid{};
+};
+
 /// A running object subject, for one thread. It keeps what it prepared for the polyhedra of the last case.
 class Running_subject {
  public:
@@ -42,6 +51,7 @@ class Running_subject {
   virtual Told<Feature_pairs> features(const Object_case&) { return {}; }
   virtual Told<Contact_forms> contacts(const Object_case&) { return {}; }
   virtual Told<Distance_answer> distance(const Object_case&, kernel::Question) { return {}; }
+  virtual Told<Solid_answer> solids(const Object_case&) { return {}; }
 
   /// Answers whether the distance is at most the limit, a decimal or fraction.
   virtual Outcome within(const Object_case&, kernel::Question, const std::string&) { return Outcome::not_asked; }
@@ -91,6 +101,10 @@ std::vector<Object_subject> contact_subjects();
 /// `most_faces_in_rationals` faces.
 std::vector<Object_subject> distance_subjects();
 inline constexpr std::size_t most_faces_in_rationals = 24;
+
+/// Returns those that campaigns ask for the relations of solids: the fast tree of the adaptive kernel, also remembering
+/// and with whole faces as leaves.
+std::vector<Object_subject> solid_subjects();
 
 /// Returns a list of contacts in the form in which lists are compared.
 Contact_forms contact_forms(const Contacts& contacts);

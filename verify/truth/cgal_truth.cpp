@@ -80,6 +80,24 @@ std::optional<int> crossing(const typename K::Point_3& p, const typename K::Poin
   return side == CGAL::POSITIVE ? -1 : 0;
 }
 
+// A point as a placed body.
+struct Dot {
+  explicit Dot(const std::array<kernel::Rational, 3>& x)
+      : placed(body, Pose({1, 0, 0, x[0], 0, 1, 0, x[1], 0, 0, 1, x[2]}))
+  {}
+
+  static covering::Polyhedron origin()
+  {
+    covering::Polyhedron origin;
+    origin.vertices = {{0, 0, 0}};
+    origin.add_polygon({0});
+    return origin;
+  }
+
+  const Brute_body body{origin()};
+  const Placed_body placed;
+};
+
 bool is_nested(const Placed_body& a, const Placed_body& b) { return detail::contains(a, b) || detail::contains(b, a); }
 
 // Adds the pairs of edges of one body and faces of the other.
@@ -162,6 +180,11 @@ int winding(const Placed_body& solid, const Placed_body& other, Index point)
   }
 }
 
+int winding(const Placed_body& solid, const std::array<kernel::Rational, 3>& point)
+{
+  return winding(solid, Dot(point).placed, 0);
+}
+
 bool surfaces_meet(const Placed_body& a, const Placed_body& b)
 {
   if (!meet(a.whole_box(), b.whole_box())) return false;
@@ -219,17 +242,16 @@ bool collide(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const
   return collide(Placed_body(a, pose_a), Placed_body(b, pose_b), question);
 }
 
+int inside(const Placed_body& solid, const std::array<kernel::Rational, 3>& point)
+{
+  if (!solid.body().is_closed()) throw std::invalid_argument("an open surface has no solid");
+  if (detail::surfaces_meet(solid, Dot(point).placed)) return 0;
+  return detail::winding(solid, point) != 0 ? 1 : -1;
+}
+
 int inside(const Brute_body& body, const std::array<kernel::Rational, 3>& point)
 {
-  if (!body.is_closed()) throw std::invalid_argument("an open surface has no solid");
-  covering::Polyhedron origin;
-  origin.vertices = {{0, 0, 0}};
-  origin.add_polygon({0});
-  const Brute_body dot(origin);
-  const Placed_body solid(body, Pose());
-  const Placed_body moved(dot, Pose({1, 0, 0, point[0], 0, 1, 0, point[1], 0, 0, 1, point[2]}));
-  if (detail::surfaces_meet(solid, moved)) return 0;
-  return detail::winding(solid, moved, 0) != 0 ? 1 : -1;
+  return inside(Placed_body(body, Pose()), point);
 }
 
 std::vector<Feature_pair> features(const Placed_body& a, const Placed_body& b)

@@ -28,6 +28,8 @@ bool elements_meet(const Placed_body& a, const Element& x, const Placed_body& b,
 /// plane through 0 in at most two of them. Therefore, after finitely many, a ray runs through no edge and in no plane
 /// of a triangle.
 int winding(const Placed_body& solid, const Placed_body& other, Index point);
+/// Same, for a point that is on no triangle of the surface.
+int winding(const Placed_body& solid, const std::array<kernel::Rational, 3>& point);
 
 bool surfaces_meet(const Placed_body& a, const Placed_body& b);
 
@@ -61,6 +63,7 @@ bool collide(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const
 
 /// Returns 1 for a point inside the solid, 0 on the surface, -1 outside. Throws std::invalid_argument when the body is
 /// not closed.
+int inside(const Placed_body& solid, const std::array<kernel::Rational, 3>& point);
 int inside(const Brute_body& body, const std::array<kernel::Rational, 3>& point);
 
 /// Returns all pairs (edge of one body, face of the other) that share a point, in both directions, sorted and unique.

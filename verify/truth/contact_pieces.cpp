@@ -88,6 +88,16 @@ Contact_forms with_joined_polygons(const Contact_forms& forms)
   return joined;
 }
 
+int dimension(const Contact_forms& forms)
+{
+  int dimension = -1;
+  for (const Contact_piece_form& form : forms)
+    dimension = std::max(dimension, form.kind == kernel::Piece::point     ? 0
+                                    : form.kind == kernel::Piece::segment ? 1
+                                                                          : 2);
+  return dimension;
+}
+
 std::string to_string(const Contact_piece_form& form)
 {
   std::string text = "faces " + std::to_string(form.face_a) + ", " + std::to_string(form.face_b) + ": " +

@@ -45,6 +45,9 @@ Contact_piece_form piece_form(std::uint32_t face_a, std::uint32_t face_b, kernel
 /// Returns the list with the polygons of each pair of faces joined into one.
 Contact_forms with_joined_polygons(const Contact_forms& forms);
 
+/// Returns the dimension of all pieces together; -1 where there are none.
+int dimension(const Contact_forms& forms);
+
 /// Returns one line, for messages.
 std::string to_string(const Contact_piece_form& form);
 

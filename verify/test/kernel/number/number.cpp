@@ -4,6 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
+#include <cmath>
+
 #include <cstring>
 #include <limits>
 #include <random>
@@ -166,6 +169,21 @@ BOOST_AUTO_TEST_CASE(rationals_print_in_lowest_terms_and_read_back)
   BOOST_TEST(to_string(Rational(0)) == "0");
   const Rational value = Rational(-22) / 7;
   BOOST_TEST((parse_fraction(to_string(value)).value() == value));
+}
+
+BOOST_AUTO_TEST_CASE(a_sum_of_roots_is_enclosed_by_neighbours_or_told_exactly)
+{
+  using Bounds = std::array<double, 2>;
+  const auto sum = [](const std::vector<Rational>& squares) { return enclosed_root_sum(squares); };
+  BOOST_TEST((sum({}) == Bounds{0, 0}));
+  BOOST_TEST((sum({4, Rational(9, 4)}) == Bounds{3.5, 3.5}));
+  BOOST_TEST((sum({2}) == Bounds{std::nextafter(std::sqrt(2.0), 0), std::sqrt(2.0)}));  // sqrt(2) is rounded up
+  BOOST_TEST((sum({Rational(1, 9)}) == Bounds{1.0 / 3, std::nextafter(1.0 / 3, 1)}));
+  BOOST_TEST((sum({1, Rational(0x1p-1000) * Rational(0x1p-1000)}) == Bounds{1, std::nextafter(1.0, 2)}));
+  const Rational huge = Rational(0x1p1000) * Rational(0x1p1000);
+  BOOST_TEST((sum({huge, Rational(2)}) == Bounds{0x1p1000, std::nextafter(0x1p1000, HUGE_VAL)}));
+  const double largest = std::numeric_limits<double>::max();
+  BOOST_TEST((sum({huge * huge}) == Bounds{largest, HUGE_VAL}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

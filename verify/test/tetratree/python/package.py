@@ -118,6 +118,27 @@ class Answers(Case):
         self.assertEqual(query.relation(None, poses_a=poses[0]), "a_in_b")
         self.assertEqual(Query(Body(*CUBE), Body(*CUBE), "surface").relation(poses[0]), "apart")
 
+    def test_relations_and_overlaps_of_solids(self):
+        query = Query(Body(*CUBE), Body(*CUBE))
+        poses = translations([0.25, 0.25, 0.25], [0.5, 0, 0], [1, 0, 0], [1, 1, 1], [2, 0, 0], [0, 0, 0])
+        poses[0, :, :3] /= 4
+        relations, dimensions = query.solid_relation(poses)
+        self.assertEqual(relations.tolist(), ["contains", "overlap", "meet", "meet", "disjoint", "equal"])
+        self.assertEqual(dimensions.tolist(), [-1, 2, 2, 0, -1, 2])
+        self.assertEqual(query.solid_relation(None, poses_a=poses[0]), ("inside", -1))
+        overlap = query.overlap(poses)
+        self.assertEqual(overlap["volume"].tolist(), [1 / 64, 0.5, 0, 0, 0, 1])
+        self.assertEqual(overlap["exact_volume"][0], Fraction(1, 64))
+        self.assertEqual(overlap["centroid"][1].tolist(), [0.75, 0.5, 0.5])
+        self.assertEqual(overlap["contact_area"].tolist(), [[0, 0], [2, 2], [1, 1], [0, 0], [0, 0], [6, 6]])
+        self.assertEqual(overlap["contact_vector"][2].tolist(), [1, 0, 0])
+        self.assertEqual(query.overlap(poses[1])["exact_centroid"], (Fraction(3, 4), Fraction(1, 2), Fraction(1, 2)))
+        scene = tetracone.Scene([Body(*CUBE)] * 2)
+        scene.frame(poses[[5, 2]])
+        self.assertEqual(scene.solid_relation(0, 1), ("meet", 2))
+        self.error("query: kernel double tells no relation of solids; expected adaptive",
+                   Query(Body(*CUBE), Body(*CUBE), kernel="double").solid_relation, IDENTITY)
+
     def test_poses_of_both_bodies_go_by_keyword(self):
         cube = Body(*CUBE)
         query, scene = Query(cube, cube), tetracone.Scene([cube] * 2)
@@ -125,7 +146,7 @@ class Answers(Case):
         small[:, 3] = 0.25
         self.assertEqual(query.relation(poses_a=small, poses_b=IDENTITY), "a_in_b")
         self.assertEqual(query.relation(poses_b=small, poses_a=IDENTITY), "b_in_a")
-        for name in ("collide", "relation", "distance", "features", "contacts"):
+        for name in ("collide", "relation", "solid_relation", "overlap", "distance", "features", "contacts"):
             with self.assertRaisesRegex(TypeError, rf"^query: poses of both .*; expected {name}\(poses_a=..., poses_b=...\)$"):
                 getattr(query, name)(small, IDENTITY)
         with self.assertRaisesRegex(TypeError, r"expected within\(limit, poses_a=..., poses_b=...\)$"):

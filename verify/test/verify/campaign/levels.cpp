@@ -19,6 +19,7 @@ BOOST_AUTO_TEST_SUITE(test_levels)
 
 using namespace tetracone::verify;
 using tetracone::kernel::Question;
+using tetracone::kernel::Solid_relation;
 
 namespace {
 
@@ -129,6 +130,32 @@ Object_subject spoiling(const char* name, Spoils_distance::Spoil spoil)
   return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_distance>(spoil); }};
 }
 
+/// The adaptive tree's relations, except for one statement.
+class Spoils_solids : public Running_subject {
+ public:
+  using Spoil = void (*)(Solid_answer& answer);
+  explicit Spoils_solids(Spoil spoil) : spoil_(spoil), right_(solid_subjects()[0].make()) {}
+
+  Outcome operator()(const Object_case& c, Question question) override { return (*right_)(c, question); }
+  Told<Solid_answer> solids(const Object_case& c) override
+  {
+    auto told = right_->solids(c);
+    spoil_(told.answer);
+    return told;
+  }
+
+ private:
+  Spoil spoil_;
+  std::unique_ptr<Running_subject> right_;
+};
+
+Object_subject spoiled_solids(const char* name, Spoils_solids::Spoil spoil)
+{
+  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_solids>(spoil); }};
+}
+
+Solid_relation another(Solid_relation relation) { return Solid_relation(7 - int(relation)); }
+
 class Tells_nothing : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::no; }
@@ -183,6 +210,38 @@ BOOST_AUTO_TEST_CASE(each_wrong_statement_about_a_distance_is_counted)
     BOOST_TEST(rows.sum("false_negatives", subject) >= asked - zero - 2, subject);
   }
   BOOST_TEST(rows.sum("not_asked", "nothing") == asked);
+}
+
+BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted)
+{
+  Rows<levels::Relations> rows(
+      named({"lego", "random", "nested", "nested-touching", "face-on-face", "degenerate-face", "wild", "voxels"}),
+      {solid_subjects()[0],
+       solid_subjects()[1],
+       solid_subjects()[2],
+       spoiled_solids("relation", [](Solid_answer& a) { a.overlap.contact.relation = a.alone = another(a.alone); }),
+       spoiled_solids("alone", [](Solid_answer& a) { a.alone = another(a.alone); }),
+       spoiled_solids("dimension", [](Solid_answer& a) { --a.overlap.contact.dimension; }),
+       spoiled_solids("volume", [](Solid_answer& a) { a.overlap.volume += 1; }),
+       spoiled_solids("doubles", [](Solid_answer& a) { a.centroid[2] = std::nextafter(a.centroid[2], HUGE_VAL); }),
+       {"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }}});
+  const std::int64_t asked = rows.ask(8);
+  BOOST_TEST(rows.truth("n") == 8 * asked);
+  BOOST_TEST(rows.truth("positives") == asked);
+  BOOST_TEST(rows.truth("by_construction") == 8 * 8);
+  for (const Object_subject& subject : solid_subjects()) {
+    BOOST_TEST(rows.sum("n", subject.name) == 3 * asked, subject.name);
+    BOOST_TEST(rows.sum(wrong, subject.name) == 0, subject.name);
+    BOOST_TEST(rows.relations("violated", subject.name) == 0, subject.name);
+    BOOST_TEST(rows.relations("tried", subject.name) > asked / 8, subject.name);
+  }
+  BOOST_TEST(rows.sum(wrong, "relation", "relation") == asked);
+  BOOST_TEST(rows.sum("false_negatives", "alone", "relation") == asked);
+  BOOST_TEST(rows.sum("false_negatives", "dimension", "dimension") == asked);
+  BOOST_TEST(rows.sum("false_negatives", "volume", "overlap") == asked);
+  BOOST_TEST(rows.sum("false_negatives", "doubles", "overlap") == asked);
+  for (const char* question : {"relation", "overlap"}) BOOST_TEST(rows.sum(wrong, "dimension", question) == 0);
+  BOOST_TEST(rows.sum("not_asked", "nothing") == 3 * asked);
 }
 
 BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_judged)

@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -79,7 +80,7 @@ const std::set<std::string_view> surfaces_never_meet = {"nested"};
 
 /// One solid may be inside the other.
 const std::set<std::string_view> of_containment = {"nested-touching", "nested", "covering-elements", "covering-apex",
-                                                   "winding-axis",    "voxels", "many-faces"};
+                                                   "winding-axis",    "voxels", "many-faces",        "lego"};
 
 }  // namespace
 
@@ -187,6 +188,23 @@ BOOST_AUTO_TEST_CASE(both_answers_are_frequent_and_known_answers_true)
       BOOST_TEST((contained > 0 || !of_containment.contains(family.name)));
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(each_relation_of_solids_is_met_by_a_twentieth_of_the_bricks)
+{
+  std::map<kernel::Solid_relation, int> count;
+  std::map<int, int> of_dimension;
+  const int cases = 400;
+  for (std::uint64_t index = 0; index < cases; ++index) {
+    const Object_case c = find_family("lego")->object_case(3, index);
+    BOOST_TEST_REQUIRE(c.overlap.has_value());
+    ++count[c.overlap->contact.relation];
+    ++of_dimension[c.overlap->contact.dimension];
+  }
+  BOOST_TEST(count.size() == 8);
+  for (const auto& [relation, n] : count) BOOST_TEST(20 * n >= cases, to_string(relation) << ": " << n);
+  for (int dimension = -1; dimension <= 2; ++dimension)
+    BOOST_TEST(20 * of_dimension[dimension] >= cases, dimension << ": " << of_dimension[dimension]);
 }
 
 BOOST_AUTO_TEST_CASE(contacts_touch_exactly_and_a_hair_apart_they_do_not)

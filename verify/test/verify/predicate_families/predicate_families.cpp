@@ -226,6 +226,7 @@ BOOST_AUTO_TEST_CASE(exact_degeneracies_are_exact)
                                             {"winding-axis", 8},
                                             {"t-junctions", 30},
                                             {"voxels", 30},
+                                            {"lego", 30},
                                             {"near-parallel-edges", 15},
                                             {"tangent-fan", 30},
                                             {"float-widened", 40},

@@ -19,11 +19,12 @@
 #include <utility>
 #include <vector>
 
-// The relations of features, contacts, distances, points, rays, scenes and motions.
+// The relations of features, contacts, distances, solids, points, rays, scenes and motions.
 BOOST_AUTO_TEST_SUITE(test_level)
 
 using namespace tetracone::verify;
 using tetracone::kernel::Question;
+using tetracone::kernel::Solid_relation;
 
 namespace {
 
@@ -104,6 +105,46 @@ BOOST_AUTO_TEST_CASE(relations_of_distances_hold_and_are_violated_by_a_wrong_squ
   // A smaller square is no greater than that of a face less, and a square of 0 cannot be approached.
   for (const char* name : {"R1 zero", "R5 swap", "R6 motion", "R6 twice", "R6 scale", "R7 face", "R8 order"})
     BOOST_TEST(tried[name].noticed > 5, name);
+}
+
+BOOST_AUTO_TEST_CASE(relations_of_solids_hold_and_are_violated_by_wrong_answers)
+{
+  const auto ask = solid_subjects()[0].make();
+  All_tried tried;
+  for (const char* name : {"lego", "nested-touching", "face-on-face", "vertex-on-face", "many-faces", "stacked"})
+    for (std::uint64_t k = 0; k < 16; ++k) {
+      const Object_case c = find_family(name)->object_case(9, k);
+      if (c.a->face_count() + c.b->face_count() > 200) continue;
+      const auto given = ask->solids(c);
+      BOOST_TEST_REQUIRE((given.outcome == Outcome::yes));
+      Solid_answer wrong = given.answer;
+      // Another containment, another volume, and meet where it is something else.
+      wrong.overlap.volume += 1;
+      auto& relation = wrong.overlap.contact.relation;
+      relation = relation == Solid_relation::disjoint ? Solid_relation::inside
+                 : relation == Solid_relation::meet   ? Solid_relation::covered_by
+                                                      : Solid_relation::disjoint;
+      try_all<Solid_level>(tried, solid_relations(), c, Question::solid, *ask, given.answer, *ask, wrong);
+    }
+  for (const auto& [name, t] : tried) BOOST_TEST(t.held > 3, name);
+  for (const char* name : {"R1 collide", "R5 swap", "R6 affine", "R7 face", "R8 order", "R9 transitive"})
+    BOOST_TEST(tried[name].noticed > 5, name);
+}
+
+BOOST_AUTO_TEST_CASE(a_nudge_that_leads_nowhere_is_noticed)
+{
+  const auto ask = solid_subjects()[0].make();
+  const Solid_answer given{{{Solid_relation::meet, 0}}, Solid_relation::meet};
+  const auto relations = solid_relations();
+  const auto nudge = std::ranges::find(relations, "R13 nudge", &Solid_level::Relation::name);
+  int noticed = 0;
+  for (std::uint64_t k = 0; k < 40; ++k) {
+    const Object_case c = find_family("stacked")->object_case(9, k);
+    if (ask->solids(c).answer.overlap.contact.relation != Solid_relation::disjoint) continue;
+    Random random(k);
+    noticed += nudge->check({c, Question::solid, *ask, given, random}) == Verdict::violated;
+  }
+  BOOST_TEST(noticed > 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_way_that_is_too_long_is_noticed)

@@ -235,6 +235,7 @@ BOOST_AUTO_TEST_CASE(names_are_unique_on_each_level)
   check(ray_relations());
   check(scene_relations());
   check(moving_body_relations());
+  check(solid_relations());
 }
 
 BOOST_AUTO_TEST_CASE(exact_sums_are_those_that_rationals_find_exact)

@@ -1,0 +1,47 @@
+#include "tetracone/tetratree/door/query_data.h"
+#include "tetracone/tetratree/door/relation_solver.h"
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <string>
+
+namespace tetracone {
+namespace {
+
+detail::Relation_solver& relation_of(detail::Query_data& data)
+{
+  if (data.question != Question::solid)
+    throw Error("query: Question::surface tells no relation of solids; expected Question::solid");
+  if (data.options.kernel != Kernel::adaptive)
+    throw Error("query: kernel " + kernel_name(data.options.kernel, data.options.tolerance) +
+                " tells no relation of solids; expected adaptive");
+  if (!data.relation) data.relation = detail::relation_solver(data.a, data.b);
+  return *data.relation;
+}
+
+}  // namespace
+
+Solid_contact Query::solid_relation(const Pose& pose_a, const Pose& pose_b)
+{
+  return solid_relation(pose_a.exact(), pose_b.exact());
+}
+Solid_contact Query::solid_relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  return relation_of(data()).relation(pose_a, pose_b);
+}
+
+Solid_relation Query::solid_relation_alone(const Pose& pose_a, const Pose& pose_b)
+{
+  return solid_relation_alone(pose_a.exact(), pose_b.exact());
+}
+Solid_relation Query::solid_relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  return relation_of(data()).relation_alone(pose_a, pose_b);
+}
+
+Overlap Query::overlap(const Pose& pose_a, const Pose& pose_b) { return overlap(pose_a.exact(), pose_b.exact()); }
+Overlap Query::overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  return relation_of(data()).overlap(pose_a, pose_b);
+}
+
+}  // namespace tetracone

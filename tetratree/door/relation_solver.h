@@ -1,0 +1,32 @@
+#ifndef TETRACONE_TETRATREE_DOOR_RELATION_SOLVER_H
+#define TETRACONE_TETRATREE_DOOR_RELATION_SOLVER_H
+
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/predicate/question.h"
+#include "tetracone/tetratree/door/overlap.h"
+#include "tetracone/tetratree/query_statistics.h"
+
+#include <memory>
+
+namespace tetracone::detail {
+
+struct Body_data;
+
+/// Answers how solids stand and how much they overlap, by the fast tree and the adaptive kernel. Requires closed
+/// bodies, and det M != 0.
+class Relation_solver {
+ public:
+  virtual ~Relation_solver() = default;
+  virtual kernel::Solid_relation relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  virtual kernel::Solid_contact relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  virtual Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  virtual tetratree::Query_statistics statistics() const = 0;
+  virtual void clear_statistics() = 0;
+};
+
+std::unique_ptr<Relation_solver> relation_solver(const std::shared_ptr<const Body_data>& a,
+                                                 const std::shared_ptr<const Body_data>& b);
+
+}  // namespace tetracone::detail
+
+#endif

@@ -1,0 +1,93 @@
+#ifndef TETRACONE_TETRATREE_RELATION_PLACED_SOLID_H
+#define TETRACONE_TETRATREE_RELATION_PLACED_SOLID_H
+
+#include "tetracone/covering/location.h"
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/covering/side_windings.h"
+#include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/contact/rational_map.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/locator/point_locator.h"
+#include "tetracone/tetratree/relation/solid_sides.h"
+
+#include <map>
+#include <utility>
+
+namespace tetracone::tetratree {
+
+using kernel::difference;
+using kernel::dot;
+using kernel::is_zero;
+using kernel::Rational;
+using kernel::Rational_face;
+using kernel::Rational_point;
+
+/// The sides of a place of a face, in the direction of a normal and against it: whether they are in a solid.
+struct Normal_sides {
+  bool along = false, against = false;
+
+  bool any_out() const { return !along || !against; }
+};
+
+/// A solid under a pose, in rationals. What it is made of must outlive it.
+class Placed_solid {
+ public:
+  Placed_solid(const covering::Polyhedron& polyhedron, const Solid_sides& sides, const Point_locator& locator)
+      : polyhedron_(&polyhedron), sides_(&sides), locator_(&locator)
+  {}
+
+  /// Moves the solid. Requires det M != 0.
+  void place(const kernel::Pose& pose)
+  {
+    pose_ = pose;
+    map_ = kernel::Rational_map(pose);
+    faces_.clear();
+  }
+
+  const covering::Polyhedron& polyhedron() const { return *polyhedron_; }
+  const Solid_sides& sides() const { return *sides_; }
+  const kernel::Rational_map& map() const { return map_; }
+
+  /// Returns a placed face.
+  const Rational_face& face(Index f)
+  {
+    const auto known = faces_.find(f);
+    if (known != faces_.end()) return known->second;
+    return faces_.emplace(f, covering::rational_face(*polyhedron_, f, pose_)).first->second;
+  }
+
+  /// Returns where x is with regard to the solid.
+  covering::Location locate(const Rational_point& x) const { return locator_->locate(map_.inverse(x)); }
+
+  /// Returns the sides of a plain triangle along its placed normal.
+  Normal_sides plain_sides(Index f) const
+  {
+    const Solid_sides::Face_sides& sides = sides_->of(f);
+    return map_.determinant() > 0 ? Normal_sides{sides.front, sides.back} : Normal_sides{sides.back, sides.front};
+  }
+
+  /// Returns the sides of x along a normal. Requires what `covering::sides` does, for the plane of that normal.
+  Normal_sides sides_at(const Rational_point& x, const Rational_point& normal) const
+  {
+    int axis = 0;
+    Rational_point height;  // of the images of the model's axes, along the normal
+    for (int k = 0; k < 3; ++k) {
+      height[k] = dot(map_.column(k), normal);
+      if (abs(height[k]) > abs(height[axis])) axis = k;
+    }
+    const covering::Sides sides = covering::sides(*polyhedron_, map_.inverse(x), axis);
+    return height[axis] > 0 ? Normal_sides{sides.above, sides.below} : Normal_sides{sides.below, sides.above};
+  }
+
+ private:
+  const covering::Polyhedron* polyhedron_;
+  const Solid_sides* sides_;
+  const Point_locator* locator_;
+  kernel::Pose pose_;
+  kernel::Rational_map map_;
+  std::map<Index, Rational_face> faces_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

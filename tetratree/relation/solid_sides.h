@@ -1,0 +1,208 @@
+#ifndef TETRACONE_TETRATREE_RELATION_SOLID_SIDES_H
+#define TETRACONE_TETRATREE_RELATION_SOLID_SIDES_H
+
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/covering/side_windings.h"
+#include "tetracone/covering/union_find.h"
+#include "tetracone/kernel/contact/face_cells.h"
+#include "tetracone/kernel/contact/rational_contact.h"
+#include "tetracone/tetratree/query/bvh8_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// Adds the edges of a loop, or the segment between two points; nothing for one point.
+inline void add_cuts(const std::vector<kernel::Rational_point>& loop, std::vector<kernel::Rational_face::Edge>& cuts)
+{
+  for (std::size_t k = loop.size() == 2; k < loop.size() && loop.size() > 1; ++k)
+    cuts.push_back({loop[k == 0 ? loop.size() - 1 : k - 1], loop[k]});
+}
+
+/// Adds the segments and the borders of the polygons that two faces share.
+inline void add_cuts(const kernel::Rational_face& p, const kernel::Rational_face& q,
+                     std::vector<kernel::Rational_face::Edge>& cuts)
+{
+  for (const kernel::Rational_piece& piece : kernel::face_contact(p, q))
+    for (const auto& loop : piece.loops) add_cuts(loop, cuts);
+}
+
+/// Which sides of the faces of one body are in its solid. A side is in the solid where its winding number is not 0.
+///
+/// A triangle is *plain* if it has area, and no other face meets it but in a vertex or an edge of both (by coordinates).
+/// Then no face divides its sides. Plain triangles at an edge of exactly two faces, which use it in opposite directions,
+/// have like sides, and are of one patch. One point tells the sides of a patch. Every other face is cut by those that
+/// meet it; one point of each cell tells its sides.
+class Solid_sides {
+ public:
+  /// A face's sides. `front` is the side from which its corners are anticlockwise.
+  struct Face_sides {
+    bool is_plain = false;
+    bool front = false, back = false;      ///< of a plain triangle: whether this side is in the solid
+    bool any_in = false, any_out = false;  ///< of a triangle: whether some side of some part is in the solid, or is not
+  };
+
+  /// Requires a closed polyhedron, and its tree with a face for each element.
+  Solid_sides(const Bvh8& tree, const covering::Polyhedron& polyhedron) : polyhedron_(&polyhedron)
+  {
+    const Index faces = Index(polyhedron.face_count());
+    faces_.resize(faces);
+    number_places();
+    for (Index f = 0; f < faces; ++f) {
+      faces_[f].is_plain = polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f).has_value();
+      if (!faces_[f].is_plain) uneven_.push_back(f);
+    }
+    find_cutters(tree);
+    see_patches();
+    for (Index f = 0; f < faces; ++f)
+      if (!faces_[f].is_plain && !std::ranges::binary_search(uneven_, f)) see_cells(f);
+  }
+
+  const Face_sides& of(Index f) const { return faces_[f]; }
+
+  /// True when every face is plain, parts the solid from its outside, and has a neighbour of its patch at each edge.
+  bool is_simple() const { return is_simple_; }
+
+  /// Returns the number of the place of a vertex. Vertices of equal coordinates have one place.
+  Index place(Index v) const { return place_[v]; }
+  Index place_count() const { return place_count_; }
+
+  /// Returns the faces that are not triangles with area: no tree of triangles leads to them.
+  std::span<const Index> uneven() const { return uneven_; }
+
+  /// Returns the faces that meet a face that is not plain.
+  std::span<const Index> cutters(Index f) const
+  {
+    const auto found = cutters_.find(f);
+    return found == cutters_.end() ? std::span<const Index>() : std::span<const Index>(found->second);
+  }
+
+ private:
+  void number_places()
+  {
+    const auto& vertices = polyhedron_->vertices;
+    std::vector<Index> order(vertices.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::ranges::sort(order, {}, [&](Index v) -> const covering::Vertex& { return vertices[v]; });
+    place_.resize(vertices.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+      place_[order[k]] = k > 0 && vertices[order[k - 1]] == vertices[order[k]] ? place_count_ - 1 : place_count_++;
+  }
+
+  /// Finds the pairs of faces that meet elsewhere than in a vertex or an edge of both.
+  void find_cutters(const Bvh8& tree)
+  {
+    Bvh8_contacts<kernel::Adaptive> finder(tree, tree.model(), *polyhedron_, tree, tree.model(), *polyhedron_);
+    const kernel::Pose unmoved;
+    const Found_contacts found = finder.contacts(unmoved, unmoved);
+    for (const Found_piece& piece : found.pieces) {
+      if (piece.face_a == piece.face_b || is_proper(piece.by_signs)) continue;
+      for (const auto& [f, other] : {std::pair(piece.face_a, piece.face_b), std::pair(piece.face_b, piece.face_a)}) {
+        faces_[f].is_plain = false;
+        std::vector<Index>& cutters = cutters_[f];
+        if (std::ranges::find(cutters, other) == cutters.end()) cutters.push_back(other);
+      }
+    }
+  }
+
+  /// True for a common vertex or edge of two triangles: each corner is a vertex of both.
+  static bool is_proper(const kernel::Triangle_contact& contact)
+  {
+    const auto is_vertex = [](const kernel::Triangle_contact::Corner& corner) {
+      return std::popcount(corner.on_p) == 2 && std::popcount(corner.on_q) == 2;
+    };
+    return (contact.count == 1 || contact.count == 2) &&
+           std::all_of(contact.corners.begin(), contact.corners.begin() + contact.count, is_vertex);
+  }
+
+  /// Joins plain triangles to patches, and looks at one point of each patch.
+  void see_patches()
+  {
+    struct Use {
+      Index low, high, face;
+      bool forward;
+    };
+    std::vector<Use> uses;
+    for (Index f = 0; f < faces_.size(); ++f)
+      for (std::size_t l = 0; l < polyhedron_->loop_count(f); ++l) {
+        const covering::Loop loop = polyhedron_->loop(f, l);
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const Index from = place_[loop[k]], to = place_[loop[k + 1 == loop.size() ? 0 : k + 1]];
+          if (from != to) uses.push_back({std::min(from, to), std::max(from, to), f, from < to});
+        }
+      }
+    std::ranges::sort(uses, {}, [](const Use& use) { return std::uint64_t(use.low) << 32 | use.high; });
+    covering::Union_find patches(faces_.size());
+    is_simple_ = std::ranges::all_of(faces_, &Face_sides::is_plain);
+    for (std::size_t k = 0, end = 0; k < uses.size(); k = end) {
+      while (end < uses.size() && uses[end].low == uses[k].low && uses[end].high == uses[k].high) ++end;
+      const Use &one = uses[k], &other = uses[end - 1];
+      if (end - k == 2 && one.forward != other.forward && faces_[one.face].is_plain && faces_[other.face].is_plain)
+        patches.join(one.face, other.face);
+      else
+        is_simple_ = false;
+    }
+    std::vector<bool> is_seen(faces_.size(), false);
+    for (Index f = 0; f < faces_.size(); ++f) {
+      if (!faces_[f].is_plain) continue;
+      const Index root = patches.root(f);
+      if (!is_seen[root]) see_plain(f, faces_[root]);
+      is_seen[root] = true;
+      const Face_sides& known = faces_[root];
+      faces_[f] = {true, known.front, known.back, known.any_in, known.any_out};
+      if (known.front == known.back) is_simple_ = false;
+    }
+  }
+
+  /// Writes the sides of the patch of a plain triangle.
+  void see_plain(Index f, Face_sides& known) const
+  {
+    const kernel::Rational_face face = covering::rational_face(*polyhedron_, f, kernel::Pose());
+    kernel::Rational_point middle;
+    for (int i = 0; i < 3; ++i)
+      middle[i] = (face.edges()[0].first[i] + face.edges()[1].first[i] + face.edges()[2].first[i]) / 3;
+    const int axis = face.axis();
+    covering::Sides sides = covering::sides(*polyhedron_, middle, axis);
+    if (sgn(face.normal()[axis]) < 0) std::swap(sides.above, sides.below);
+    known.front = sides.above;
+    known.back = sides.below;
+    known.any_in = known.front || known.back;
+    known.any_out = !known.front || !known.back;
+  }
+
+  /// Looks at the sides of the cells of a triangle that is not plain.
+  void see_cells(Index f)
+  {
+    const kernel::Rational_face face = covering::rational_face(*polyhedron_, f, kernel::Pose());
+    std::vector<kernel::Rational_face::Edge> cuts;
+    for (const Index other : cutters(f))
+      add_cuts(face, covering::rational_face(*polyhedron_, other, kernel::Pose()), cuts);
+    const kernel::Face_cells cells(face, cuts);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const covering::Sides sides = covering::sides(*polyhedron_, cells.inner_point(c), cells.axis());
+      faces_[f].any_in |= sides.above || sides.below;
+      faces_[f].any_out |= !sides.above || !sides.below;
+    }
+  }
+
+  const covering::Polyhedron* polyhedron_;
+  std::vector<Face_sides> faces_;
+  std::map<Index, std::vector<Index>> cutters_;
+  std::vector<Index> place_;
+  Index place_count_ = 0;
+  std::vector<Index> uneven_;
+  bool is_simple_ = false;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

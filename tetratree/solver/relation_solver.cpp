@@ -1,0 +1,207 @@
+#include "tetracone/tetratree/door/relation_solver.h"
+
+#include "tetracone/kernel/number/nearest_root.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/contacts_data.h"
+#include "tetracone/tetratree/query/bvh8_collision.h"
+#include "tetracone/tetratree/query/bvh8_contacts.h"
+#include "tetracone/tetratree/relation/solid_pair.h"
+#include "tetracone/tetratree/relation/solid_sides.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::detail {
+namespace {
+
+using kernel::Solid_contact;
+using kernel::Solid_relation;
+using tetratree::Placed_solid;
+using tetratree::Solid_pair;
+using tetratree::Solid_piece;
+
+class Bvh8_relation_solver : public Relation_solver {
+ public:
+  Bvh8_relation_solver(const Shared_body& a, const Shared_body& b)
+      : body_{a, b}, collision_(a->bvh8(), a->bvh8().model(), b->bvh8(), b->bvh8().model())
+  {}
+
+  Solid_relation relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    if (const auto known = known_relation(pose_a, pose_b)) return *known;
+    place(pose_a, pose_b, contacts(pose_a, pose_b));
+    return exactly().pair.relation();
+  }
+
+  Solid_contact relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    const auto known = known_relation(pose_a, pose_b);
+    if (known == Solid_relation::disjoint) return {*known, -1};
+    tetratree::Found_contacts found = contacts(pose_a, pose_b);
+    const int dimension = dimension_of(found);
+    if (known) return {*known, dimension};
+    place(pose_a, pose_b, std::move(found));
+    return {exactly().pair.relation(), dimension};
+  }
+
+  Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    place(pose_a, pose_b, contacts(pose_a, pose_b));
+    const tetratree::Solid_overlap found = exactly().pair.overlap();
+    Overlap overlap;
+    const auto write = [](const kernel::Rational& exact, double& nearest, std::string& text) {
+      nearest = kernel::nearest_double(exact);
+      text = kernel::to_string(exact);
+    };
+    const auto& [volume, moment] = found.all;
+    write(volume, overlap.volume, overlap.exact_volume);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (volume != 0) write(moment[k] / volume, overlap.centroid[k], overlap.exact_centroid[k]);
+      write(found.contact_vector[k], overlap.contact_vector[k], overlap.exact_contact_vector[k]);
+    }
+    overlap.contact_area = kernel::enclosed_root_sum(found.squared_areas);
+    return overlap;
+  }
+
+  tetratree::Query_statistics statistics() const override
+  {
+    tetratree::Query_statistics all = collision_.counts();
+    if (exactly_) all += exactly_->contacts.counts();
+    return all;
+  }
+  void clear_statistics() override
+  {
+    collision_.clear_counts();
+    if (exactly_) exactly_->contacts.clear_counts();
+  }
+
+ private:
+  using K = kernel::Adaptive;
+
+  /// What only poses need that the first crossing does not decide.
+  struct Exactly {
+    Exactly(const Body_data& a, const Body_data& b)
+        : contacts(a.bvh8(), a.bvh8().model(), a.polyhedron, b.bvh8(), b.bvh8().model(), b.polyhedron),
+          pair(solid(a), solid(b))
+    {}
+
+    static Placed_solid solid(const Body_data& body)
+    {
+      return Placed_solid(body.polyhedron, body.solid_sides(), body.point_locator());
+    }
+
+    tetratree::Bvh8_contacts<K> contacts;
+    Solid_pair pair;
+  };
+
+  Exactly& exactly()
+  {
+    if (!exactly_) exactly_ = std::make_unique<Exactly>(body_[0]->by_triangles(), body_[1]->by_triangles());
+    return *exactly_;
+  }
+
+  /// Returns all that the surfaces share.
+  tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+  {
+    return exactly().contacts.contacts(pose_a, pose_b);
+  }
+
+  /// Returns the dimension of the pieces together; -1 for none.
+  static int dimension_of(const tetratree::Found_contacts& found)
+  {
+    int dimension = -1;
+    for (const tetratree::Found_piece& piece : found.pieces) switch (piece.kind) {
+        case kernel::Piece::point: dimension = kernel::maximum(dimension, 0); break;
+        case kernel::Piece::segment: dimension = kernel::maximum(dimension, 1); break;
+        case kernel::Piece::polygon: return 2;
+      }
+    return dimension;
+  }
+
+  void place(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Found_contacts found)
+  {
+    // The bodies of triangles belong to the bodies, which outlive this.
+    const auto shared = [](const Shared_body& body) { return Shared_body(body, &body->by_triangles()); };
+    const Contacts_data data{std::move(found), shared(body_[0]), shared(body_[1]), pose_a, pose_b};
+    std::vector<Solid_piece> pieces;
+    for (std::size_t k = 0; k < data.found.pieces.size(); ++k) {
+      const tetratree::Found_piece& piece = data.found.pieces[k];
+      pieces.push_back({{piece.face_a, piece.face_b}, piece.kind, rational_loops(data, k)});
+    }
+    exactly().pair.place(pose_a, pose_b, std::move(pieces));
+  }
+
+  /// Returns the relation where it is `disjoint`, or where the pair of triangles that the query met crosses properly.
+  ///
+  /// A proper crossing is an edge of one body that goes through the inside of a triangle of the other. Both bodies are
+  /// simple. So exactly two faces meet in the edge. They divide a small ball about the crossing into two wedges, of which
+  /// one is in the first solid and one is not. The triangle divides the ball into two halves, of which one is in the
+  /// second solid and one is not. The edge leaves the ball on both sides of the triangle's plane. So each wedge has a part
+  /// in each half: the interiors share a point, and either solid has a point outside the other.
+  std::optional<Solid_relation> known_relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+  {
+    const Relation relation = collision_.relation(pose_a, pose_b, Question::solid, &memory_);
+    if (relation == Relation::apart) return Solid_relation::disjoint;
+    if (relation != Relation::surfaces || !memory_.witness || !are_simple()) return std::nullopt;
+    const auto& [box_a, box_b] = *memory_.witness;
+    const tetratree::Bvh8 &a = body_[0]->bvh8(), &b = body_[1]->bvh8();
+    for (Index i = 0; i < a.leaf_count(box_a); ++i)
+      for (Index j = 0; j < b.leaf_count(box_b); ++j) {
+        const auto p = corners(collision_.placed_a(), a.element(box_a, i)),
+                   q = corners(collision_.placed_b(), b.element(box_b, j));
+        if (crosses(p, q) || crosses(q, p)) return Solid_relation::overlap;
+      }
+    return std::nullopt;
+  }
+
+  bool are_simple() const
+  {
+    return body_[0]->by_triangles().solid_sides().is_simple() && body_[1]->by_triangles().solid_sides().is_simple();
+  }
+
+  static kernel::Corners<K> corners(covering::Placed_model<K>& body, const tetratree::Element& element)
+  {
+    return {&body.point(element.corner[0]), &body.point(element.corner[1]), &body.point(element.corner[2])};
+  }
+
+  /// True when an edge of p goes through the inside of q.
+  static bool crosses(const kernel::Corners<K>& p, const kernel::Corners<K>& q)
+  {
+    const auto side = kernel::sides<K>(q, p);
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      if (side[k] * side[next] == kernel::NEGATIVE &&
+          kernel::segment_triangle<K>(*p[k], *p[next], *q[0], *q[1], *q[2]) == kernel::Contact::edge_face)
+        return true;
+    }
+    return false;
+  }
+
+  std::array<Shared_body, 2> body_;
+  tetratree::Bvh8_collision<K> collision_;
+  tetratree::Pair_memory memory_;
+  std::unique_ptr<Exactly> exactly_;
+};
+
+}  // namespace
+
+const tetratree::Solid_sides& Body_data::solid_sides() const
+{
+  std::call_once(solid_sides_once_,
+                 [this] { solid_sides_ = std::make_shared<const tetratree::Solid_sides>(bvh8(), polyhedron); });
+  return *solid_sides_;
+}
+
+std::unique_ptr<Relation_solver> relation_solver(const std::shared_ptr<const Body_data>& a,
+                                                 const std::shared_ptr<const Body_data>& b)
+{
+  return std::make_unique<Bvh8_relation_solver>(a, b);
+}
+
+}  // namespace tetracone::detail

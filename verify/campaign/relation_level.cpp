@@ -1,0 +1,97 @@
+#include "tetracone/kernel/number/number.h"
+#include "verify/campaign/level_judge.h"
+#include "verify/integer_truth/distance_to_degeneracy.h"
+#include "verify/integer_truth/integer_contacts.h"
+#include "verify/integer_truth/integer_overlap.h"
+#include "verify/integer_truth/integer_truth.h"
+#include "verify/truth/overlap_truth.h"
+
+#include <array>
+#include <string>
+
+namespace tetracone::verify {
+namespace {
+
+using kernel::Question;
+using kernel::Solid_relation;
+
+constexpr std::array all_relations = {Solid_relation::disjoint,   Solid_relation::meet,   Solid_relation::overlap,
+                                      Solid_relation::equal,      Solid_relation::inside, Solid_relation::contains,
+                                      Solid_relation::covered_by, Solid_relation::covers};
+
+/// An answer says which relation holds, of which dimension the contact is, and how much the solids overlap. The last
+/// are `overlap_statements`: the exact volume and centroid, and the nearest doubles of these four numbers; the value is
+/// the number of those that are right. The truth says of each relation whether it is the case's. Subjects are not asked
+/// about bodies of more than `most_faces` faces.
+class Relation_page : public Page<levels::Relations> {
+ public:
+  std::array<Question, 1> questions(const Object_case&) const { return {Question::solid}; }
+  auto relations() const { return solid_relations(); }
+  bool tries_relations(std::uint64_t, Question, const Told& told) const { return told.outcome == Outcome::yes; }
+  bool takes(const Object_case& c) const { return c.a->face_count() <= most_faces && c.b->face_count() <= most_faces; }
+
+  void learn(const Object_case& c)
+  {
+    truth_ = solid_overlap(c);
+    away_ = distance(c);
+    is_known_ = c.overlap.has_value();
+    if (is_known_ && *c.overlap != truth_)
+      throw Truths_disagree("the truth of a relation disagrees with what the family has counted", c, Question::solid);
+    const auto [relation, dimension] = truth_.contact;
+    if (integer_truth::collide(c, Question::solid) != (relation != Solid_relation::disjoint) ||
+        integer_truth::collide(c, Question::surface) != (dimension >= 0) ||
+        verify::dimension(integer_truth::contacts(c)) != dimension)
+      throw Truths_disagree("the two truths of a relation disagree about points in common", c, Question::solid);
+    if (c.a->face_count() <= few_faces && c.b->face_count() <= few_faces &&
+        !integer_truth::agrees(integer_truth::volumes(c), truth_))
+      throw Truths_disagree("the two truths of a relation disagree about volumes", c, Question::solid);
+  }
+
+  Truths truths(Question) const
+  {
+    Truths truths;
+    for (const Solid_relation relation : all_relations)
+      truths.push_back({std::string(kernel::to_string(relation)), truth_.contact.relation == relation, is_known_});
+    return truths;
+  }
+
+  Told ask(Running_subject& subject, const Object_case& c, Question) const
+  {
+    subject.forget();
+    return subject.solids(c);
+  }
+
+  Statements statements(const Answered& a) const
+  {
+    const bool fractions = has_fractions(a.c);
+    Statement relation{"relation", int(truth_.contact.relation), {}, away_, fractions},
+        dimension{"dimension", truth_.contact.dimension, {}, away_, fractions},
+        overlap{"overlap", overlap_statements, {}, away_, fractions};
+    if (a.told.outcome == Outcome::yes) {
+      const Solid_answer& told = a.told.answer;
+      const auto [of_all, of_contact] = told.overlap.contact;
+      relation.value = told.alone == of_all ? int(of_all) : -1;
+      dimension.value = of_contact;
+      overlap.value = (told.overlap.volume == truth_.volume) + (told.volume == kernel::nearest_double(truth_.volume));
+      for (std::size_t k = 0; k < 3; ++k)
+        *overlap.value += (told.overlap.centroid[k] == truth_.centroid[k]) +
+                          (told.centroid[k] == kernel::nearest_double(truth_.centroid[k]));
+    }
+    return {relation, dimension, overlap};
+  }
+
+ private:
+  static constexpr int overlap_statements = 8;
+  /// Both truths know the volumes of bodies with no more faces than this.
+  static constexpr std::size_t few_faces = 12;
+
+  Solid_overlap truth_;
+  bool is_known_ = false;
+  Distance away_{};
+};
+
+}  // namespace
+
+Findings levels::Relations::judge(const Job<Relations>& job) { return Level_judge<Relation_page>(job).run(); }
+
+}  // namespace tetracone::verify
