@@ -124,6 +124,14 @@ class Body {
   /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
   bool is_closed() const;
 
+  /// True when no two faces intersect improperly: they share no point, except on a vertex or an edge that both have.
+  /// Vertices and edges are compared by coordinates. The first call decides it exactly, and stops at the first pair.
+  bool is_simple() const;
+
+  /// Returns all pairs of faces that intersect improperly, each once with face_a < face_b, and where. Pieces that are
+  /// all on vertices and edges of both faces are left out.
+  Contacts self_intersections() const;
+
   /// Builds the whole fast tree now, with `threads` threads (0: all cores), instead of on demand. The tree does not
   /// depend on their number. Other threads' queries wait for nodes meanwhile.
   void make_all(std::size_t threads = 1) const;

@@ -252,6 +252,27 @@ is built again. Raises Error for another suffix, and for a file that cannot be w
 ...     tetracone.read(file)
 Body(3 vertices, 1 faces, open)
 )")
+      .def(
+          "self_intersections", [](const Python_body& self) { return self.body.self_intersections(); },
+          py::call_guard<py::gil_scoped_release>(), R"(self_intersections()
+
+All pairs of faces that intersect improperly, and where, exactly: Contacts, each pair once with the smaller number
+first. Two faces may share the vertices and edges that both have, by coordinates, and nothing else.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, -1], [1, 1, 1], [9, 9, 0]], [[0, 1, 2], [3, 4, 5]])
+>>> body.self_intersections().faces
+array([[0, 1]], dtype=uint32)
+>>> body.is_simple
+False
+)")
+      .def_property_readonly(
+          "is_simple",
+          [](const Python_body& self) {
+            const py::gil_scoped_release unlocked;
+            return self.body.is_simple();
+          },
+          "True when no two faces intersect improperly, see self_intersections; decided once, exactly.")
       .def_property_readonly(
           "is_closed", [](const Python_body& self) { return self.body.is_closed(); },
           "True when every directed edge occurs as often as its reverse: then the body bounds a solid.")
