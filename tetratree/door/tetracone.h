@@ -150,6 +150,17 @@ class Body {
   /// Returns the bytes of the table that `inside` asks, which is made now if need be. Throws Error for an open surface.
   std::size_t inside_bytes() const;
 
+  /// Returns the point of the surface nearest to a point, exactly, with the signed distance. Throws Error for an open
+  /// surface, which gives no sign, and for a coordinate that is not finite.
+  Nearest_point nearest(const std::array<double, 3>& point) const;
+
+  /// Returns the answers for many points. Throws as for one.
+  std::vector<Nearest_point> nearest(std::span<const std::array<double, 3>> points) const;
+
+  /// Returns the answer in fractions for a point of decimals, which stand for the nearest doubles, or fractions "n/d".
+  /// Throws Error as for doubles, and for a text that is no number.
+  Exact_nearest_point nearest_text(const std::array<std::string, 3>& point) const;
+
   /// Returns the first face that the ray meets: least t, exactly; at equal t the least face number. Nothing where it
   /// meets none. A ray in a face's plane meets it where it first comes to the closed face. Throws Error for a number
   /// that is not finite, and for a direction of 0.
