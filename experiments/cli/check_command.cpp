@@ -1,6 +1,7 @@
 #include "experiments/cli/commands.h"
 
 #include "experiments/cli/answer_rows.h"
+#include "experiments/cli/contact_rows.h"
 #include "experiments/support/model_file.h"
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/io/read.h"
@@ -34,6 +35,7 @@ struct Check_options {
   bool strict = false;
   bool orient = false;
   bool merge = false;
+  bool self_intersections = false;
 };
 
 /// A model for `check`: read, then merged and oriented by the user's options.
@@ -310,6 +312,16 @@ void run_check(const Check_options& options)
   if (found) throw CLI::RuntimeError(1);
 }
 
+void run_self_intersections(const Check_options& options)
+{
+  if (options.models.size() != 1)
+    throw CLI::ValidationError("--self-intersections", std::to_string(options.models.size()) + " models; expected one");
+  const Model_file model = load_model(options.models[0], {options.strict, options.orient, options.merge}, false);
+  const auto pairs = self_intersection_rows(model.body.self_intersections(), model, options.json);
+  std::cout << pairs.text;
+  if (pairs.count > 0) throw CLI::RuntimeError(1);
+}
+
 }  // namespace
 
 void add_check_command(CLI::App& app)
@@ -324,10 +336,14 @@ void add_check_command(CLI::App& app)
   command->add_flag("--merge", options->merge, "Merge vertices with exactly equal coordinates first");
   command->add_flag("--orient", options->orient,
                     "Orient faces consistently first; what is closed as it stands is left alone");
+  command->add_flag("--self-intersections", options->self_intersections,
+                    "Instead: `face face kind` a line for each pair of faces of one model that share a point, except "
+                    "on a vertex or an edge that both have; exit 1 where there are some. --json: what they share");
   command->footer(
       "Vertices and faces count from 0. Exit status: 0 all closed, 1 some model is no closed polyhedron, 2 bad input.\n"
       "Example: tetracone check --strict cat.off house.poly");
-  command->callback([options] { run_check(*options); });
+  command->callback(
+      [options] { options->self_intersections ? run_self_intersections(*options) : run_check(*options); });
 }
 
 }  // namespace tetracone::experiments

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -115,6 +116,33 @@ std::string contact_rows(const std::vector<Contacts>& contacts, const Model_file
       text += with_loops(contacts[pose], k, format.exact,
                          [&, &piece = piece](const auto& loops) { return piece_line(pose, piece, loops, separator); });
   return text;
+}
+
+Pair_rows self_intersection_rows(const Contacts& contacts, const Model_file& model, bool json)
+{
+  struct Pieces {
+    Piece kind = Piece::point;
+    Json list = Json::array();
+  };
+  std::map<std::pair<covering::Index, covering::Index>, Pieces> pairs;
+  for (const auto& [k, piece] : pieces_of(contacts, model, model)) {
+    if (piece.face_a == piece.face_b) continue;
+    Pieces& pieces = pairs[{piece.face_a, piece.face_b}];
+    pieces.kind = std::max(pieces.kind, piece.kind);
+    if (json) pieces.list.push_back(piece_json(piece, contacts.exact_loops(k)));
+  }
+  Pair_rows rows{"", pairs.size()};
+  Json all = Json::array();
+  for (auto& [faces, pieces] : pairs)
+    if (json)
+      all.push_back({{"faces", {faces.first, faces.second}},
+                     {"kind", to_string(pieces.kind)},
+                     {"shared", std::move(pieces.list)}});
+    else
+      rows.text += std::to_string(faces.first) + " " + std::to_string(faces.second) + " " +
+                   std::string(to_string(pieces.kind)) + "\n";
+  if (json) rows.text = all.dump(1) + "\n";
+  return rows;
 }
 
 bool is_curve_file(const std::filesystem::path& file)

@@ -4,6 +4,7 @@
 #include "experiments/support/model_file.h"
 #include "tetracone/tetratree/door/contacts.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,6 +22,17 @@ struct Contact_format {
 /// either face that contain them. Faces have their numbers in the files.
 std::string contact_rows(const std::vector<Contacts>& contacts, const Model_file& a, const Model_file& b,
                          const Contact_format& format);
+
+/// Pairs of faces as text, and their number.
+struct Pair_rows {
+  std::string text;
+  std::size_t count;
+};
+
+/// Returns the pairs of faces of one model that intersect improperly: `face face kind` a line, the kind that of the
+/// largest piece. JSON has an object a pair, with the pieces that they share in fractions. Faces have their numbers in
+/// the file. Triangles that replace one face of the file are no pair.
+Pair_rows self_intersection_rows(const Contacts& contacts, const Model_file& model, bool json);
 
 /// Returns the curves of one pose as lines of OBJ or of PLY, by the file's suffix.
 std::string curves_text(const std::vector<Contacts::Curve>& curves, const std::filesystem::path& file);

@@ -37,6 +37,7 @@ struct Ball_hull {
 struct Enclosed_distance {
   Double_double_ball height, square;
   std::array<double, 3> direction;  ///< rounded: the errors of all coordinates sum to at most `direction_error`
+  Ball_vector way;                  ///< the direction, enclosed
 
   // Upper bounds relative to the sum of the direction's magnitudes: verify/proofs/nearest_proofs.h.
   static constexpr double most_radii = 0x1p-52,  ///< of the radii that are accepted
@@ -111,7 +112,27 @@ inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, co
   }
   // The high parts have a relative error of u each, and radii and magnitudes are rounded.
   if (!(off < Enclosed_distance::most_radii * magnitude)) return std::nullopt;
+  found.way = *way;
   return found;
+}
+
+/// Returns the double nearest to x + way height / square, where that surely lies between the midpoints to both
+/// neighbours. Returns nothing elsewhere, and outside 2^-900 to 2^900. Requires that `square` is positive.
+inline std::optional<double> nearest_along(double x, const Double_double_ball& way, const Double_double_ball& height,
+                                           const Double_double_ball& square)
+{
+  const double share = height.middle.high / square.middle.high;
+  const Double_double rest = height.middle - square.middle * share;
+  const double nearest = (Double_double(x) + way.middle * Double_double(share, rest.high / square.middle.high)).high;
+  if (!(std::abs(nearest) > 0x1p-900 && std::abs(nearest) < 0x1p900)) return std::nullopt;
+  const auto beyond = [&](double neighbour) {
+    const Double_double_ball middle(Double_double(nearest, (neighbour - nearest) / 2), 0);
+    return (Double_double_ball(x) - middle) * square + way * height;
+  };
+  if (!beyond(std::nextafter(nearest, -HUGE_VAL)).is_positive() ||
+      !(-beyond(std::nextafter(nearest, HUGE_VAL))).is_positive())
+    return std::nullopt;
+  return nearest;
 }
 
 }  // namespace tetracone::kernel

@@ -56,14 +56,24 @@ struct Face_pair {
 class Contact_faces {
  public:
   explicit Contact_faces(const covering::Polyhedron& polyhedron, const covering::Covering& covering)
-      : polyhedron_(&polyhedron), owned_begin_(1, 0)
+      : polyhedron_(&polyhedron)
   {
-    std::vector<Index> owner(covering.edges().size(), covering::none);
+    triangles_.reserve(polyhedron.face_count());
     for (Index f = 0; f < polyhedron.face_count(); ++f) {
       const covering::Loop loop = polyhedron.loop(f, 0);
       const bool is_triangle = polyhedron.is_triangle(f) && covering.plane_basis(f);
       triangles_.push_back(is_triangle ? std::array{loop[0], loop[1], loop[2]}
                                        : std::array{covering::none, covering::none, covering::none});
+    }
+  }
+
+  /// Finds the owners of all edges, unless they are known. `covering` is the constructor's.
+  void own_edges(const covering::Covering& covering)
+  {
+    if (!owned_begin_.empty()) return;
+    owned_begin_.push_back(0);
+    std::vector<Index> owner(covering.edges().size(), covering::none);
+    for (Index f = 0; f < triangles_.size(); ++f) {
       for (std::size_t k = 0; k < covering.from(f).size(); ++k) {
         std::array<Index, 2> edge = {covering.from(f)[k], covering.to(f)[k]};
         if (edge[1] < edge[0]) std::swap(edge[0], edge[1]);
@@ -81,7 +91,7 @@ class Contact_faces {
   const std::array<Index, 3>& triangle(Index f) const { return triangles_[f]; }
 
   /// Returns the edges of a face that no earlier face has, as vertices, the smaller number first. So each edge is owned
-  /// by one face.
+  /// by one face. Requires `own_edges`.
   std::span<const std::array<Index, 2>> owned_edges(Index f) const
   {
     return std::span(owned_).subspan(owned_begin_[f], owned_begin_[f + 1] - owned_begin_[f]);
@@ -128,7 +138,7 @@ class Face_pairs {
     exact_faces_[1].clear();
   }
 
-  /// Adds the contacts of the edges that either face owns with the other face.
+  /// Adds the contacts of the edges that either face owns with the other face. Requires `own_edges` of both bodies.
   void add_features(Body& a, Body& b, const Face_pair& pair, std::vector<kernel::Feature_pair>& found) const
   {
     const auto [face_a, face_b, corners_a, corners_b] = pair;

@@ -51,6 +51,9 @@ struct Body_data {
     return closed_;
   }
 
+  /// True when no two faces intersect improperly. The first call decides it, with all nodes of the fast tree.
+  bool is_simple() const;
+
   /// Returns the fast tree; makes its root on first use. The model is computed by `both`.
   const tetratree::Bvh8& bvh8(const covering::Both& both = {}) const
   {
@@ -110,8 +113,8 @@ struct Body_data {
   }
 
  private:
-  mutable std::once_flag closed_once_, bvh8_once_, point_locator_once_, by_triangles_once_, solid_sides_once_;
-  mutable bool closed_ = false;
+  mutable std::once_flag closed_once_, simple_once_, bvh8_once_, point_locator_once_, by_triangles_once_, solid_sides_once_;
+  mutable bool closed_ = false, simple_ = false;
   mutable std::optional<tetratree::Bvh8> bvh8_;
   mutable std::atomic<const tetratree::Bvh8*> made_bvh8_ = nullptr;
   mutable std::optional<tetratree::Point_locator> point_locator_;

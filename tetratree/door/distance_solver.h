@@ -6,6 +6,7 @@
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
+#include <array>
 #include <memory>
 
 namespace tetracone::detail {
@@ -26,6 +27,10 @@ class Distance_solver {
 /// Makes the solver of a kernel; null for one without distances.
 std::unique_ptr<Distance_solver> distance_solver(const std::shared_ptr<const Body_data>& a,
                                                  const std::shared_ptr<const Body_data>& b, Kernel kernel);
+
+/// Returns the smallest part of a placed face (vertex, edge or face) that holds its point x.
+Holder holder_in(const Polyhedron& polyhedron, const kernel::Pose& pose, covering::Index f,
+                 const std::array<kernel::Rational, 3>& x);
 
 }  // namespace tetracone::detail
 

@@ -40,6 +40,20 @@ struct Nearest {
   std::array<Holder, 2> holder;                     ///< what holds them
 };
 
+/// The point of a body's surface nearest to a given point.
+struct Nearest_point {
+  double distance;              ///< the double nearest to the exact distance, negative for a point inside the solid
+  std::array<double, 3> point;  ///< the doubles nearest to the nearest point, or to one of several
+  Holder holder;                ///< what holds it; the smaller vertex of an edge is first
+  bool is_only;                 ///< false when another point of the surface is as near
+};
+
+/// Same, with fractions "n/d" in lowest terms, or "n".
+struct Exact_nearest_point : Nearest_point {
+  std::string squared;                     ///< the squared distance
+  std::array<std::string, 3> exact_point;  ///< the nearest point
+};
+
 }  // namespace tetracone
 
 #endif

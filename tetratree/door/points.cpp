@@ -1,22 +1,30 @@
+#include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/nearest_root.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/distance_solver.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "tetracone/tetratree/query/bvh8_points.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace tetracone {
 namespace {
 
-const tetratree::Point_locator& locator_of(const detail::Body_data& data)
+const tetratree::Point_locator& locator_of(const detail::Body_data& data, const char* what = "points inside or outside")
 {
   kernel::require_sound_floating_point();
   if (!data.is_closed()) [[unlikely]]
-    detail::require_solid(data, "body", "points inside or outside");
+    detail::require_solid(data, "body", what);
   return data.point_locator();
 }
 
@@ -24,6 +32,19 @@ const tetratree::Point_locator& locator_of(const detail::Body_data& data)
                                     const char* expected)
 {
   throw Error(point + ": " + "xyz"[k] + " is " + is + "; expected " + expected);
+}
+
+/// Returns the point of texts. Throws Error for what is no number.
+kernel::Rational_point parsed(const std::array<std::string, 3>& point)
+{
+  kernel::Rational_point exact;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto number = kernel::parse_number(point[k]);
+    if (!number)
+      refuse_coordinate("point", k, "'" + point[k].substr(0, 40) + "'", "a finite decimal number or a fraction n/d");
+    exact[k] = *number;
+  }
+  return exact;
 }
 
 /// Throws Error, in the name of `name()`, for a coordinate that is not finite.
@@ -44,7 +65,90 @@ bool all_finite(std::span<const std::array<double, 3>> points)
   return all != 0;
 }
 
+/// Signed distances of points of one body. One object serves one thread.
+class Signed_distances {
+ public:
+  /// Throws Error for an open surface.
+  explicit Signed_distances(const detail::Body_data& data)
+      : data_(data), locator_(locator_of(data, "signed distances")), points_(data.bvh8())
+  {}
+
+  Nearest_point operator()(const std::array<double, 3>& x) { return answer(x, points_.by_enclosures(x)); }
+
+  std::vector<Nearest_point> of_each(std::span<const std::array<double, 3>> points)
+  {
+    std::vector<Nearest_point> answers;
+    answers.reserve(points.size());
+    tetratree::Bvh8_points::by_enclosures_of_each(
+        data_.bvh8(), points, [&](std::size_t k, const auto& found) { answers.push_back(answer(points[k], found)); });
+    return answers;
+  }
+
+  Exact_nearest_point exactly(const kernel::Rational_point& x)
+  {
+    const tetratree::Exact_surface_point found = points_.exactly(x);
+    Exact_nearest_point nearest;
+    nearest.distance = signed_by(locator_.locate(x), kernel::nearest_root(found.square));
+    nearest.holder = detail::holder_in(data_.polyhedron, kernel::Pose(), found.face, found.point);
+    if (nearest.holder.kind == Holder::Kind::edge) std::ranges::sort(nearest.holder.number);
+    nearest.is_only = found.is_only;
+    nearest.squared = kernel::to_string(found.square);
+    for (std::size_t k = 0; k < 3; ++k) {
+      nearest.point[k] = kernel::nearest_double(found.point[k]);
+      nearest.exact_point[k] = kernel::to_string(found.point[k]);
+    }
+    return nearest;
+  }
+
+ private:
+  /// Returns the answer for a point, by enclosures if they have decided it.
+  Nearest_point answer(const std::array<double, 3>& x, const std::optional<tetratree::Surface_point>& found)
+  {
+    if (!found) return exactly({x[0], x[1], x[2]});
+    return {signed_by(locator_.locate(x), found->distance), found->point, holder(*found), found->is_only};
+  }
+
+  static double signed_by(Location location, double distance)
+  {
+    return location == Location::inside ? -distance : distance;
+  }
+
+  static Holder holder(const tetratree::Surface_point& found)
+  {
+    switch (found.feature) {
+      case kernel::Feature::vertex: return {Holder::Kind::vertex, {found.end[0]}};
+      case kernel::Feature::edge:
+        return {Holder::Kind::edge,
+                {kernel::minimum(found.end[0], found.end[1]), kernel::maximum(found.end[0], found.end[1])}};
+      default: return {Holder::Kind::face, {found.face}};
+    }
+  }
+
+  const detail::Body_data& data_;
+  const tetratree::Point_locator& locator_;
+  tetratree::Bvh8_points points_;
+};
+
 }  // namespace
+
+Nearest_point Body::nearest(const std::array<double, 3>& point) const
+{
+  require_finite(point, [] { return std::string("point"); });
+  return Signed_distances(*data_)(point);
+}
+
+std::vector<Nearest_point> Body::nearest(std::span<const std::array<double, 3>> points) const
+{
+  for (std::size_t k = 0; k < points.size(); ++k)
+    require_finite(points[k], [k] { return "points[" + std::to_string(k) + "]"; });
+  return Signed_distances(*data_).of_each(points);
+}
+
+Exact_nearest_point Body::nearest_text(const std::array<std::string, 3>& point) const
+{
+  const kernel::Rational_point exact = parsed(point);
+  return Signed_distances(*data_).exactly(exact);
+}
 
 Location Body::inside(const std::array<double, 3>& point) const
 {
@@ -71,13 +175,7 @@ std::vector<Location> Body::inside(std::span<const std::array<double, 3>> points
 
 Location Body::inside_text(const std::array<std::string, 3>& point) const
 {
-  std::array<kernel::Rational, 3> exact;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto number = kernel::parse_number(point[k]);
-    if (!number)
-      refuse_coordinate("point", k, "'" + point[k].substr(0, 40) + "'", "a finite decimal number or a fraction n/d");
-    exact[k] = *number;
-  }
+  const kernel::Rational_point exact = parsed(point);
   return locator_of(*data_).locate(exact);
 }
 

@@ -129,6 +129,14 @@ class Body {
   /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
   bool is_closed() const;
 
+  /// True when no two faces intersect improperly: they share no point, except on a vertex or an edge that both have.
+  /// Vertices and edges are compared by coordinates. The first call decides it exactly, and stops at the first pair.
+  bool is_simple() const;
+
+  /// Returns all pairs of faces that intersect improperly, each once with face_a < face_b, and where. Pieces that are
+  /// all on vertices and edges of both faces are left out.
+  Contacts self_intersections() const;
+
   /// Builds the whole fast tree now, with `threads` threads (0: all cores), instead of on demand. The tree does not
   /// depend on their number. Other threads' queries wait for nodes meanwhile.
   void make_all(std::size_t threads = 1) const;
@@ -146,6 +154,17 @@ class Body {
 
   /// Returns the bytes of the table that `inside` asks, which is made now if need be. Throws Error for an open surface.
   std::size_t inside_bytes() const;
+
+  /// Returns the point of the surface nearest to a point, exactly, with the signed distance. Throws Error for an open
+  /// surface, which gives no sign, and for a coordinate that is not finite.
+  Nearest_point nearest(const std::array<double, 3>& point) const;
+
+  /// Returns the answers for many points. Throws as for one.
+  std::vector<Nearest_point> nearest(std::span<const std::array<double, 3>> points) const;
+
+  /// Returns the answer in fractions for a point of decimals, which stand for the nearest doubles, or fractions "n/d".
+  /// Throws Error as for doubles, and for a text that is no number.
+  Exact_nearest_point nearest_text(const std::array<std::string, 3>& point) const;
 
   /// Returns the first face that the ray meets: least t, exactly; at equal t the least face number. Nothing where it
   /// meets none. A ray in a face's plane meets it where it first comes to the closed face. Throws Error for a number

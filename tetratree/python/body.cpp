@@ -6,7 +6,9 @@
 
 #include <pybind11/numpy.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -95,6 +97,37 @@ py::object inside(const Python_body& self, const py::object& values)
   });
   if (points.is_one()) return py::int_(int(answer[0]));
   return answers;
+}
+
+py::tuple nearest(const Python_body& self, const py::object& values)
+{
+  const Rows points(values, "points", "point");
+  std::vector<Nearest_point> answers(points.count());
+  {
+    const py::gil_scoped_release unlocked;
+    self.body.nearest(std::span<const std::array<double, 3>>());  // an open surface is refused without points too
+  }
+  No_lock none;
+  for_each_unlocked(points.count(), none, [&](std::size_t k) {
+    try {
+      answers[k] = points.is_exact_text() ? self.body.nearest_text(points.text(k)) : self.body.nearest(points.row(k));
+    } catch (const Error& error) {
+      throw renamed(error, "point:", points.name(k) + ":");
+    }
+  });
+  const auto count = static_cast<py::ssize_t>(answers.size());
+  py::array_t<double> distances(count), at({count, py::ssize_t(3)});
+  py::array_t<bool> only(count);
+  py::list holders;
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    distances.mutable_data()[k] = answers[k].distance;
+    std::ranges::copy(answers[k].point, at.mutable_data() + 3 * k);
+    only.mutable_data()[k] = answers[k].is_only;
+    holders.append(answers[k].holder.text());
+  }
+  if (points.is_one())
+    return py::make_tuple(answers[0].distance, at.attr("reshape")(3), holders[0], answers[0].is_only);
+  return py::make_tuple(distances, at, py::module_::import("numpy").attr("array")(holders, "str"), only);
 }
 
 /// Rays of as many directions as origins; one of either serves all of the other.
@@ -201,6 +234,23 @@ array([ 1,  0, -1], dtype=int8)
 >>> body.inside(["1/3", "1/3", "1/3"])
 0
 )")
+      .def("nearest", &nearest, py::arg("points"), R"(nearest(points)
+
+The signed distances of points, negative inside the solid, and the points of the surface nearest to them: (distances,
+points, holders, only). Exact: each number is the double nearest to the exact one. A holder is "vertex V", "edge V V" or
+"face F". Where other points are as near, `only` is False.
+
+points: array (n, 3) of doubles or fractions -> arrays (n,) of float64, (n, 3) of float64, (n,) of str, (n,) of bool;
+one point (3,) -> a float, an array (3,), a str and a bool.
+Raises Error for an open surface, and for a number that is not finite, which it names.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> body.nearest([[1, 1, -2], [-3, 0, -4], [1, 1, 0.5]])[0]
+array([ 2. ,  5. , -0.5])
+>>> body.nearest([-3, 0, -4])[1:]
+(array([0., 0., 0.]), 'vertex 0', True)
+)")
       .def("first_hit", &first_hit, py::arg("origins"), py::arg("directions"), R"(first_hit(origins, directions)
 
 The first face that each ray origin + t direction, t >= 0, meets, and t: (faces, t). Exact: of least t, and of those the
@@ -252,6 +302,27 @@ is built again. Raises Error for another suffix, and for a file that cannot be w
 ...     tetracone.read(file)
 Body(3 vertices, 1 faces, open)
 )")
+      .def(
+          "self_intersections", [](const Python_body& self) { return self.body.self_intersections(); },
+          py::call_guard<py::gil_scoped_release>(), R"(self_intersections()
+
+All pairs of faces that intersect improperly, and where, exactly: Contacts, each pair once with the smaller number
+first. Two faces may share the vertices and edges that both have, by coordinates, and nothing else.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, -1], [1, 1, 1], [9, 9, 0]], [[0, 1, 2], [3, 4, 5]])
+>>> body.self_intersections().faces
+array([[0, 1]], dtype=uint32)
+>>> body.is_simple
+False
+)")
+      .def_property_readonly(
+          "is_simple",
+          [](const Python_body& self) {
+            const py::gil_scoped_release unlocked;
+            return self.body.is_simple();
+          },
+          "True when no two faces intersect improperly, see self_intersections; decided once, exactly.")
       .def_property_readonly(
           "is_closed", [](const Python_body& self) { return self.body.is_closed(); },
           "True when every directed edge occurs as often as its reverse: then the body bounds a solid.")

@@ -122,7 +122,7 @@ void add_contacts(py::module_& module)
 {
   py::class_<Contacts>(module, "Contacts", R"(Contacts: all pairs of faces of two placed bodies that meet
 
-Made by `Query.contacts`. A pair of faces has a piece for each maximal point, segment and polygon that they share; len()
+Made by `Query.contacts`, and by `Body.self_intersections` about one body. A pair of faces has a piece for each maximal point, segment and polygon that they share; len()
 is the number of pieces, which are in the order of their faces. Where a piece is gets computed when it is asked for.
 
 faces: (n, 2) uint32, the face of a and the face of b of each piece.

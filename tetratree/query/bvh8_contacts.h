@@ -49,6 +49,9 @@ class Bvh8_contacts {
   {
     std::vector<kernel::Feature_pair> found;
     find_candidates(pose_a, pose_b);
+    if (candidates_.empty()) return found;
+    faces_a_.own_edges(collision_.placed_a().model().covering());
+    faces_b_.own_edges(collision_.placed_b().model().covering());
     for (const Face_pair& pair : candidates_)
       pairs_.add_features(collision_.placed_a(), collision_.placed_b(), pair, found);
     std::sort(found.begin(), found.end());

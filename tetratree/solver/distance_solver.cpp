@@ -34,7 +34,8 @@ bool is_on_segment(const Exact_coordinates& x, const Exact_coordinates& p, const
   return sgn(length) > 0 && sgn(along) >= 0 && along <= length;
 }
 
-/// Returns the smallest part of the face (vertex, edge or face) that holds its point x.
+}  // namespace
+
 Holder holder_in(const Polyhedron& polyhedron, const kernel::Pose& pose, Index f, const Exact_coordinates& x)
 {
   Holder holder{Holder::Kind::face, {f}};
@@ -50,6 +51,8 @@ Holder holder_in(const Polyhedron& polyhedron, const kernel::Pose& pose, Index f
   }
   return holder;
 }
+
+namespace {
 
 template <class K>
 class Bvh8_distance_solver : public Distance_solver {

@@ -92,4 +92,24 @@ BOOST_AUTO_TEST_CASE(bad_use_and_bad_input_are_status_2_with_one_line_and_no_out
   check_refused("check '" + cut.path().native() + "'");
 }
 
+BOOST_AUTO_TEST_CASE(self_intersections_have_a_line_each_and_status_1)
+{
+  const Run none = run("check --self-intersections " + models + "frame.poly");
+  BOOST_TEST(none.status == 0);
+  BOOST_TEST(none.out == "");
+  BOOST_TEST(run("check --self-intersections --json " + models + "open.stl").out == "[]\n");
+  // Face 1 goes through face 0; faces 2 and 3, which are one, touch it in a point.
+  const Temporary_file crossed("crossed.off",
+                               "OFF\n12 4 0\n0 0 0\n4 0 0\n0 4 0\n1 1 -1\n1 1 1\n9 9 0\n3 0 0\n3 -1 0\n3 -1 1\n"
+                               "3 0 0\n3 -1 0\n3 -1 1\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n");
+  const Run some = run("check --self-intersections " + in_quotes(crossed.path()));
+  BOOST_TEST(some.status == 1);
+  BOOST_TEST(some.out == "0 1 segment\n0 2 point\n0 3 point\n2 3 coplanar\n");
+  const Run json = run("check --self-intersections --json " + in_quotes(crossed.path()));
+  BOOST_TEST(json.status == 1);
+  BOOST_TEST(contains(json.out, "\"faces\": ["));
+  BOOST_TEST(contains(json.out, "\"kind\": \"coplanar\""));
+  check_refused("check --self-intersections " + models + "cube.off " + models + "cube.off", "2 models; expected one");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

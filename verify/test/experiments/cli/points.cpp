@@ -25,6 +25,24 @@ BOOST_AUTO_TEST_CASE(points_have_a_line_each)
   check_refused("inside " + cube + " " + in_quotes(points.path()) + " --time", "--time: expected --csv");
 }
 
+BOOST_AUTO_TEST_CASE(nearest_points_have_a_line_each)
+{
+  const Temporary_file points("points.txt", "0.25 0.5 0.5\n2 2 2\n1/3 1/2 4/3\n0.5 0.5 0.5\n1 0.5 1\n");
+  const std::string ask = "nearest " + cube + " " + in_quotes(points.path());
+  const auto lines = run(ask).out;
+  BOOST_TEST(contains(lines, "-0.25 0 0.5 0.5 face "));
+  BOOST_TEST(contains(lines, "1.7320508075688772 1 1 1 vertex "));
+  BOOST_TEST(contains(lines, "0.3333333333333333 0.3333333333333333 0.5 1 face "));
+  BOOST_TEST(contains(lines, "-0.5 "));
+  BOOST_TEST(contains(lines, " tied\n0 1 0.5 1 edge "));
+  BOOST_TEST(contains(run(ask + " --exact").out, "1/9 1/3 1/2 1 face "));
+  BOOST_TEST(
+      run(ask + " --csv /dev/stdout").out.starts_with("point,distance,x,y,z,holder,ties\n0,-0.25,0,0.5,0.5,face "));
+  BOOST_TEST(run(ask + " --csv /dev/stdout --time").out.starts_with("point,distance,x,y,z,holder,ties,ns\n"));
+  check_refused("nearest " + open + " " + in_quotes(points.path()), "an open surface has no solid");
+  check_refused("nearest " + cube + " " + in_quotes(points.path()) + " --time", "--time: expected --csv");
+}
+
 BOOST_AUTO_TEST_CASE(rays_have_a_line_each)
 {
   const Temporary_file rays("rays.txt", "-1 0.5 0.5 3 0 0\n5 5 5 1 0 0\n0.5 0.5 0.5 0 0 1\n");

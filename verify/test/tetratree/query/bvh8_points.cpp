@@ -1,0 +1,153 @@
+#include "tetracone/tetratree/query/bvh8_points.h"
+
+#include "tetracone/covering/star_faces.h"
+#include "verify/test/support/scenes.h"
+#include "verify/truth/distance_truth.h"
+#include "verify/truth/nearest_truth.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_bvh8_points)
+
+namespace scenes = tetracone::verify::scenes;
+namespace verify = tetracone::verify;
+namespace kernel = tetracone::kernel;
+using namespace tetracone::tetratree;
+using kernel::Feature;
+using kernel::Rational;
+using tetracone::covering::Polyhedron;
+using tetracone::covering::Vertex;
+using Point = verify::Nearest_truth::Point;
+
+namespace {
+
+Point exact(const Vertex& x) { return {x[0], x[1], x[2]}; }
+
+/// Compares the answers for a point with the truth.
+class Judge {
+ public:
+  explicit Judge(const Polyhedron& body)
+      : body_(body), tree_(body, tetracone::covering::star_faces(body)), points_(tree_), truth_(body), brute_(body)
+  {
+    dot_.vertices = {{0, 0, 0}};
+    dot_.add_polygon({0});
+  }
+
+  bool is_right(const Vertex& x)
+  {
+    const auto& [square, nearest] = truth_(exact(x));
+    if (const auto found = points_.by_enclosures(x)) {
+      ++by_enclosures;
+      if (!found->is_only || nearest.size() != 1 || found->distance != kernel::nearest_root(square)) return false;
+      for (int k = 0; k < 3; ++k)
+        if (found->point[std::size_t(k)] != kernel::nearest_double((*nearest.begin())[k])) return false;
+      if (!is_held(*found, *nearest.begin())) return false;
+    }
+    return is_right(kernel::Rational_point{x[0], x[1], x[2]});
+  }
+  bool is_right(const kernel::Rational_point& x)
+  {
+    const auto& [square, nearest] = truth_(Point(x[0], x[1], x[2]));
+    const auto found = points_.exactly(x);
+    ties += nearest.size() > 1;
+    const Point at(found.point[0], found.point[1], found.point[2]);
+    return found.square == square && nearest.contains(at) && found.is_only == (nearest.size() == 1) &&
+           truth_.face(found.face).locate(at) != verify::Place::outside;
+  }
+
+  /// The square by a convex program.
+  bool is_right_by_program(const kernel::Rational_point& x)
+  {
+    const verify::Brute_body dot(dot_);
+    const kernel::Pose moved({1, 0, 0, x[0], 0, 1, 0, x[1], 0, 0, 1, x[2]});
+    return points_.exactly(x).square == verify::squared_distance(verify::Placed_body(brute_, kernel::Pose()),
+                                                                 verify::Placed_body(dot, moved),
+                                                                 verify::squared_distance_by_program);
+  }
+
+  const Bvh8& tree() const { return tree_; }
+  long by_enclosures = 0, ties = 0;
+
+ private:
+  bool is_held(const Surface_point& found, const Point& at) const
+  {
+    const auto vertex = [&](int k) { return exact(body_.vertices[found.end[std::size_t(k)]]); };
+    const auto place = truth_.face(found.face).locate(at);
+    switch (found.feature) {
+      case Feature::vertex: return place == verify::Place::vertex && vertex(0) == at;
+      case Feature::edge:
+        return place == verify::Place::edge && verify::Exact::Segment_3(vertex(0), vertex(1)).has_on(at);
+      default: return place == verify::Place::face;
+    }
+  }
+
+  Polyhedron body_, dot_;
+  Bvh8 tree_;
+  Bvh8_points points_;
+  verify::Nearest_truth truth_;
+  verify::Brute_body brute_;
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(nearest_points_are_those_of_both_truths)
+{
+  scenes::Random random(4610);
+  long asked = 0, by_enclosures = 0, ties = 0;
+  for (const auto& [name, body] : scenes::bodies_of_any_size()) {
+    BOOST_TEST_INFO_SCOPE(name);
+    Judge judge(body);
+    const auto& scale = judge.tree().scale();
+    std::vector<Vertex> points;
+    for (const Vertex& x : scenes::hard_points(body, judge.tree().model().lattice().origin, random))
+      if (scenes::integer(random, 0, 3) == 0) points.push_back(x);
+    for (int n = 0; n < 15; ++n) {
+      // About the body, in its vicinity, and far from it.
+      const double reach = std::array{0.25, 1.0, 0x1p12}[std::size_t(n % 3)] * scale.unit;
+      Vertex x = scenes::real_vertex(random, 1);
+      for (std::size_t k = 0; k < 3; ++k) x[k] = scale.origin[k] + x[k] * reach;
+      if (std::isfinite(x[0] + x[1] + x[2])) points.push_back(x);
+    }
+    int wrong = 0;
+    for (const Vertex& x : points) wrong += !judge.is_right(x);
+    for (std::size_t k = 0; k < points.size(); k += 10) {
+      kernel::Rational_point x;
+      for (std::size_t i = 0; i < 3; ++i) x[i] = Rational(points[k][i]) / 3;
+      wrong += !judge.is_right(x);
+      if (k % 20 == 0) wrong += !judge.is_right_by_program(x);
+    }
+    BOOST_TEST(wrong == 0);
+    asked += long(points.size());
+    by_enclosures += judge.by_enclosures;
+    ties += judge.ties;
+  }
+  BOOST_TEST(by_enclosures > asked / 4);
+  BOOST_TEST(by_enclosures < asked);
+  BOOST_TEST(ties > 20);
+}
+
+BOOST_AUTO_TEST_CASE(random_points_about_a_mesh_are_decided_by_enclosures)
+{
+  scenes::Random random(4611);
+  const Polyhedron body = scenes::blob(random, 3, 0.9, 1);
+  Judge judge(body);
+  int wrong = 0;
+  constexpr int count = 100;
+  for (int n = 0; n < count; ++n) wrong += !judge.is_right(scenes::real_vertex(random, n % 2 == 0 ? 1 : 3));
+  // Beside a face, as near as doubles can be.
+  for (Index f = 0; f < 40; ++f) {
+    Vertex x{};
+    for (const Index v : body.loop(f, 0))
+      for (std::size_t k = 0; k < 3; ++k) x[k] += body.vertices[v][k] / 3;
+    wrong += !judge.is_right(x);
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(judge.by_enclosures > count * 9 / 10);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
