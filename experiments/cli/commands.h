@@ -29,6 +29,9 @@ void add_relation_command(CLI::App& app);
 /// `inside MODEL POINTS`: 1 inside, 0 on the surface, -1 outside, exactly, one line per point.
 void add_inside_command(CLI::App& app);
 
+/// `zone A B --within D`: the faces of A that have a point within D of B, exactly, one line per pose.
+void add_zone_command(CLI::App& app);
+
 /// `nearest MODEL POINTS`: signed distances of points and the nearest points of a model's surface, exactly.
 void add_nearest_command(CLI::App& app);
 

@@ -85,6 +85,7 @@ int main(int argc, char** argv)
   tetracone::experiments::add_relation_command(app);
   tetracone::experiments::add_inside_command(app);
   tetracone::experiments::add_nearest_command(app);
+  tetracone::experiments::add_zone_command(app);
   tetracone::experiments::add_ray_command(app);
   tetracone::experiments::add_scene_command(app);
   tetracone::experiments::add_motion_command(app);

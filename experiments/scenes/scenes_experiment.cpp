@@ -30,7 +30,7 @@ using Pairs = std::vector<Pair>;
 using kernel::Pose;
 
 /// One who tells the colliding pairs of a frame.
-struct Contestant {
+struct Scene_contestant {
   std::string name;
   std::function<Pairs(const std::vector<Pose>&)> frame;
   std::function<std::size_t()> candidates;
@@ -39,7 +39,7 @@ struct Contestant {
   std::size_t candidate_count = 0, pair_count = 0, lost = 0, invented = 0, judged = 0;
 };
 
-Contestant ours(const std::string& name, const Scene_workload& work, const std::vector<Body>& bodies,
+Scene_contestant ours(const std::string& name, const Scene_workload& work, const std::vector<Body>& bodies,
                 std::size_t threads)
 {
   const auto scene = std::make_shared<Scene>(Scene_options{.question = Question::surface, .threads = threads});
@@ -155,9 +155,9 @@ std::size_t missing(const Pairs& from, const Pairs& in)
   return rest.size();
 }
 
-std::vector<Contestant> contestants(const Scene_workload& work, const std::vector<Body>& bodies)
+std::vector<Scene_contestant> contestants(const Scene_workload& work, const std::vector<Body>& bodies)
 {
-  std::vector<Contestant> all = {ours("tetracone", work, bodies, 1), ours("tetracone, 2 threads", work, bodies, 2)};
+  std::vector<Scene_contestant> all = {ours("tetracone", work, bodies, 1), ours("tetracone, 2 threads", work, bodies, 2)};
   const auto boxes = std::make_shared<Boxes_of_cgal>(work, bodies);
   all.push_back({"CGAL boxes, our queries", [boxes](const auto& poses) { return boxes->frame(poses); },
                  [boxes] { return boxes->candidates(); }});
@@ -197,7 +197,7 @@ void run_scene(const Scene_workload& work, Csv_table& table, std::uint64_t seed)
     if (n <= 1000 || frame + 1 == frames) right[frame] = truth(brute, work, work.frames[frame]);
   // Each plays alone, as in a program: who comes after another would find the caches full of that one's.
   auto all = contestants(work, bodies);
-  for (Contestant& each : all)
+  for (Scene_contestant& each : all)
     for (std::size_t frame = 0; frame < frames; ++frame) {
       const Stopwatch watch;
       Pairs pairs = each.frame(work.frames[frame]);
@@ -211,7 +211,7 @@ void run_scene(const Scene_workload& work, Csv_table& table, std::uint64_t seed)
       each.lost += missing(pairs, *right[frame]);
       each.invented += missing(*right[frame], pairs);
     }
-  for (const Contestant& each : all) {
+  for (const Scene_contestant& each : all) {
     const double us = mean(each.ns) / 1000, ratio = mean(each.ns) / mean(all[0].ns);
     table.add(Csv_row()
                   .add("scene", work.kind)

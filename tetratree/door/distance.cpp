@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace tetracone {
 namespace {
@@ -51,6 +52,17 @@ bool Query::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const
   const auto number = kernel::parse_number(limit);
   if (!number) refuse_limit(limit);
   return distance_of(data()).within(pose_a, pose_b, data().question, *number);
+}
+
+std::vector<Index> Query::zone(const Pose& pose_a, const Pose& pose_b, const std::string& limit)
+{
+  return zone(pose_a.exact(), pose_b.exact(), limit);
+}
+std::vector<Index> Query::zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit)
+{
+  const auto number = kernel::parse_number(limit);
+  if (!number) refuse_limit(limit);
+  return distance_of(data()).zone(pose_a, pose_b, data().question, *number);
 }
 
 }  // namespace tetracone

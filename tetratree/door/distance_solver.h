@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace tetracone::detail {
 
@@ -19,6 +20,8 @@ class Distance_solver {
   virtual Nearest nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
   virtual bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
                       const kernel::Rational& limit) = 0;
+  virtual std::vector<covering::Index> zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                                            const kernel::Rational& limit) = 0;
   virtual Query_statistics statistics() const = 0;
   virtual void clear_statistics() = 0;
   virtual std::size_t bytes() const = 0;

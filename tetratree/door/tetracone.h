@@ -298,6 +298,13 @@ class Query {
   /// Same, for poses of the templates. Requires det M != 0.
   Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
+  /// Returns the faces of A, in order, that have a point at most `limit` from B, decided on squares, exactly; none for a
+  /// negative limit. B is its solid, or its surface under `Question::surface`. The limit is as for `within`. Throws
+  /// Error as `nearest` and `within`.
+  std::vector<Index> zone(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
+  /// Same, for poses of the templates. Requires det M != 0.
+  std::vector<Index> zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
+
   /// Returns, after `apart`, a lower bound of the distance; 0 if the query did not compute one.
   double certified_gap() const;
 

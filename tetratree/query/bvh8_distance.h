@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_QUERY_BVH8_DISTANCE_H
 
 #include "tetracone/covering/inclusion.h"
+#include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/bound/common_frame.h"
 #include "tetracone/kernel/bound/obb8_distance.h"
 #include "tetracone/kernel/bound/triangle_distance.h"
@@ -102,17 +103,51 @@ class Bvh8_distance {
     if (sgn(limit) < 0 || tree_[0]->empty() || tree_[1]->empty()) return false;
     place(pose_a, pose_b);
     start_with_last();
-    const double below = std::ldexp(kernel::nearest_double(limit), -frame_->exponent());
+    const double below = below_limit(limit);
     low_limit_ = below * (1 - limit_rounding) - smallest;
     if (is_within() || collision_.relation(pose_a, pose_b, question) != Relation::apart) return true;
-    high_ = kernel::minimum(high_, below * (1 + limit_rounding) + smallest);
+    high_ = kernel::minimum(high_, above_limit(below));
     search();
-    if (is_within()) return true;
-    if constexpr (!is_exact) return nearest_ <= below;
-    if (candidates_.empty()) return false;
-    bring_nearest_first();
-    const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
-    return kernel::Rational(best.exact->top()) <= of_space(best.exact->bottom()) * limit * limit;
+    return is_nearest_within(limit, below);
+  }
+
+  /// Returns the faces of A that have a point at most `limit` from B, in order; none for a negative limit. Requires an
+  /// exact K, trees of one element a leaf, and as `within`.
+  std::vector<Index> zone(const Pose& pose_a, const Pose& pose_b, Question question, const kernel::Rational& limit)
+  {
+    static_assert(is_exact);
+    kernel::require_sound_floating_point();
+    if (sgn(limit) < 0 || tree_[0]->empty() || tree_[1]->empty()) return {};
+    place(pose_a, pose_b);
+    const double below = below_limit(limit);
+    low_limit_ = below * (1 - limit_rounding) - smallest;
+    std::vector<bool> is_near(model_[0]->face_count(), false);
+    std::vector<Box_id> open = {Box_id()};
+    while (!open.empty()) {
+      const Box_id box = open.back();
+      open.pop_back();
+      if (tree_[0]->is_leaf(box)) {
+        const Index face = tree_[0]->element(box).face;
+        if (is_near[face]) continue;
+        candidates_.clear();
+        along_ = {};
+        high_ = above_limit(below);
+        nearest_ = std::numeric_limits<double>::infinity();
+        search(box);
+        is_near[face] = is_nearest_within(limit, below);
+        continue;
+      }
+      const Index child = tree_[0]->child(box);
+      high_ = above_limit(below);
+      const kernel::Gap_test parts = gaps_to_root(child);
+      for (int lane = 0; lane < tree_[0]->node(child).boxes.lane_count; ++lane)
+        if (parts.nearer >> lane & 1) open.push_back({child, lane});
+    }
+    if (question == Question::solid) add_inside(is_near);
+    std::vector<Index> faces;
+    for (Index f = 0; f < is_near.size(); ++f)
+      if (is_near[f]) faces.push_back(f);
+    return faces;
   }
 
   /// Upper bound of the relative error of a limit in common units: rounded, multiplied and added to. Proved in
@@ -257,20 +292,70 @@ class Bvh8_distance {
     if constexpr (is_exact) candidates_.push_back(std::move(pair));
   }
 
-  /// Finds all pairs of elements that may be the nearest, or stops where the upper bound proves that the limit holds.
-  /// It opens up to four pairs per round, so that their memory accesses overlap.
-  void search()
+  /// Returns a limit in common units, rounded, and an upper bound of it.
+  double below_limit(const kernel::Rational& limit) const
   {
-    Box_pair root{0, {size_of_root(0), size_of_root(1)}, {}};
-    kernel::Gap_test of_roots{&tree_[0]->node(0).boxes,
-                              &*into_other_[1],
-                              &tree_[1]->node(0).boxes,
-                              0,
-                              {stretch_[0], limit(), 0, size_[0]},
-                              0,
-                              {}};
-    kernel::find_gaps(&of_roots, 1);
-    root.low = of_roots.gaps.low[0];
+    return std::ldexp(kernel::nearest_double(limit), -frame_->exponent());
+  }
+  static double above_limit(double below) { return below * (1 + limit_rounding) + smallest; }
+
+  /// True when the nearest pair that `search` has found is within the limit.
+  bool is_nearest_within(const kernel::Rational& limit, double below)
+  {
+    if (is_within()) return true;
+    if constexpr (!is_exact) return nearest_ <= below;
+    if (candidates_.empty()) return false;
+    bring_nearest_first();
+    const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
+    return kernel::Rational(best.exact->top()) <= of_space(best.exact->bottom()) * limit * limit;
+  }
+
+  /// Adds the faces of A with a part inside B. The other faces share no point with B's surface, so that connected loops
+  /// of them are on one side.
+  void add_inside(std::vector<bool>& is_near)
+  {
+    const covering::Covering& covering = model_[0]->covering();
+    covering::Union_find sets(model_[0]->vertices().size());
+    const auto for_far_faces = [&](const auto& what) {
+      for (Index f = 0; f < is_near.size(); ++f)
+        if (!is_near[f]) what(f, covering.from(f), covering.to(f));
+    };
+    for_far_faces([&](Index, const auto& from, const auto& to) {
+      for (std::size_t k = 0; k < from.size(); ++k) sets.join(from[k], to[k]);
+    });
+    std::array<covering::Placed_model<K>, 2> placed = {covering::Placed_model<K>(*model_[0]),
+                                                       covering::Placed_model<K>(*model_[1])};
+    for (std::size_t body = 0; body < 2; ++body) placed[body].place(*pose_[body]);
+    std::vector<std::optional<bool>> is_inside(model_[0]->vertices().size());
+    for_far_faces([&](Index f, const auto& from, const auto&) {
+      for (const Index v : from) {
+        std::optional<bool>& inside = is_inside[sets.root(v)];
+        if (!inside) inside = covering::winding_number<K>(placed[0].point(v), placed[1]) != 0;
+        if (*inside) is_near[f] = true;
+      }
+    });
+  }
+
+  /// Returns the gaps between the boxes of a node of A and B's root.
+  kernel::Gap_test gaps_to_root(Index node) const
+  {
+    kernel::Gap_test test{&tree_[0]->node(node).boxes,
+                          &*into_other_[1],
+                          &tree_[1]->node(0).boxes,
+                          0,
+                          {stretch_[0], limit(), 0, size_[0]},
+                          0,
+                          {}};
+    kernel::find_gaps(&test, 1);
+    return test;
+  }
+
+  /// Finds all pairs of an element in a box of A and one of B that may be the nearest, or stops where the upper bound
+  /// proves that the limit holds. It opens up to four pairs per round, so that their memory accesses overlap.
+  void search(Box_id start = {})
+  {
+    const kernel::Gap_test of_start = gaps_to_root(start.node());
+    const Box_pair root{of_start.gaps.low[std::size_t(start.lane())], {size_of(0, start), size_of(1, {})}, {start, {}}};
     rest_.clear();
     if (root.is_of_leaves())
       compare_leaves(root.box);
@@ -351,10 +436,10 @@ class Bvh8_distance {
       for (Index j = 0; j < tree_[1]->leaf_count(box[1]); ++j) compare({box[0], i}, {box[1], j});
   }
 
-  /// Returns the signed size of a root's box, in the unit of sizes.
-  float size_of_root(int body) const
+  /// Returns the signed size of a box, in the unit of sizes.
+  float size_of(int body, Box_id box) const
   {
-    const float size = tree_[body]->node(0).signed_size(0);
+    const float size = tree_[body]->node_of(box).signed_size(box.lane());
     return std::copysign(kernel::box_size(std::abs(size), size_[body]), size);
   }
 

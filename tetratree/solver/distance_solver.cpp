@@ -87,6 +87,14 @@ class Bvh8_distance_solver : public Distance_solver {
   {
     return distance_.within(pose_a, pose_b, question, limit);
   }
+  std::vector<Index> zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                          const Rational& limit) override
+  {
+    if constexpr (tetratree::Bvh8_distance<K>::is_exact)
+      return distance_.zone(pose_a, pose_b, question, limit);
+    else
+      throw Error("query: kernel double knows no exact zones; expected adaptive or rational");
+  }
   Query_statistics statistics() const override { return distance_.counts(); }
   void clear_statistics() override { distance_.clear_counts(); }
   std::size_t bytes() const override { return distance_.bytes(); }

@@ -20,7 +20,7 @@ using kernel::Pose;
 using kernel::Question;
 using kernel::Rational;
 using kernel::Solid_relation;
-using object_family::Exact_vector;
+using namespace object_family;
 
 /// Relation: the overlap of a twin is `expected`.
 Verdict overlap_is(const Solid_overlap& expected, const Solid_level::Trial& t, const Object_case& twin)

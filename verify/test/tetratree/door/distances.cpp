@@ -4,11 +4,16 @@
 #include "verify/test/support/scenes.h"
 #include "verify/truth/brute_body.h"
 #include "verify/truth/distance_truth.h"
+#include "verify/truth/point_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_distances)
 
@@ -80,6 +85,92 @@ BOOST_AUTO_TEST_CASE(doubles_do_not_take_bodies_that_are_tiny_for_touching)
   Query query(body, body, Question::surface, {.kernel = Kernel::double_});
   BOOST_TEST(std::abs(query.distance(Pose(), Pose::translation(1e-60, 0, 0)) / 1e-60 - 1) < 1e-9);
   BOOST_TEST(!query.within(Pose(), Pose::translation(1e-60, 0, 0), 1e-61));
+}
+
+BOOST_AUTO_TEST_CASE(a_zone_has_the_faces_whose_distance_is_within_the_limit)
+{
+  scenes::Random random(4630);
+  std::size_t near = 0, far = 0, inside = 0;
+  for (const auto& [name, polyhedron] : scenes::closed_bodies()) {
+    BOOST_TEST_INFO_SCOPE(name);
+    const Polyhedron b = scenes::with_cavity(scenes::cube(16), scenes::cube(4));
+    const verify::Brute_body of_b(b);
+    const verify::Placed_body at_rest(of_b, kernel::Pose());
+    const verify::Point_truth in_b(b);
+    for (int round = 0; round < 8; ++round) {
+      std::array<kernel::Rational, 3> t;
+      for (auto& x : t) x = kernel::Rational(scenes::integer(random, -75, 75), 3);
+      const kernel::Pose pose({1, 0, 0, t[0], 0, 1, 0, t[1], 0, 0, 1, t[2]});
+      const kernel::Rational limit(scenes::integer(random, 0, 6), 2);
+      std::array<std::vector<Index>, 2> expected;
+      for (Index f = 0; f < polyhedron.face_count(); ++f) {
+        const Polyhedron alone = verify::face_alone(polyhedron, f);
+        const verify::Brute_body of_face(alone);
+        const verify::Placed_body placed(of_face, pose);
+        const kernel::Rational square = verify::squared_distance(placed, at_rest);
+        if (square <= limit * limit) expected[0].push_back(f);
+        const auto& corner = polyhedron.vertices[polyhedron.loop(f, 0)[0]];
+        const bool is_inside =
+            in_b(std::array<kernel::Rational, 3>{corner[0] + t[0], corner[1] + t[1], corner[2] + t[2]}) == 1;
+        if (square <= limit * limit || is_inside) expected[1].push_back(f);
+        inside += square > limit * limit && is_inside;
+      }
+      const std::string within = kernel::to_string(limit);
+      for (const char* kernel : {"adaptive", "rational"}) {
+        BOOST_TEST(Query(Body(polyhedron), Body(b), Question::surface, *parse_kernel(kernel))
+                       .zone(pose, kernel::Pose(), within) == expected[0]);
+        BOOST_TEST(Query(Body(polyhedron), Body(b), Question::solid, *parse_kernel(kernel))
+                       .zone(pose, kernel::Pose(), within) == expected[1]);
+      }
+      near += expected[1].size();
+      far += polyhedron.face_count() - expected[1].size();
+    }
+  }
+  BOOST_TEST(near > 100u);
+  BOOST_TEST(far > 100u);
+  BOOST_TEST(inside > 5u);
+}
+
+BOOST_AUTO_TEST_CASE(a_zone_on_integers_is_decided_at_equality)
+{
+  // Squares of two boxes, whose distance is that of boxes: along each axis the gap of intervals.
+  const Polyhedron box = scenes::cube(2);
+  Query query{Body(box), Body(box), Question::solid};
+  scenes::Random random(4631);
+  for (int round = 0; round < 60; ++round) {
+    std::array<int, 3> t;
+    for (int& x : t) x = scenes::integer(random, -9, 9);
+    std::vector<int> squares;
+    for (Index f = 0; f < 6; ++f) {
+      int square = 0;
+      for (int k = 0; k < 3; ++k) {
+        int low = 99, high = -99;
+        for (const Index v : box.loop(f, 0)) {
+          low = std::min(low, int(box.vertices[v][k]) + t[k]);
+          high = std::max(high, int(box.vertices[v][k]) + t[k]);
+        }
+        const int gap = std::max({0, low - 2, -2 - high});
+        square += gap * gap;
+      }
+      squares.push_back(square);
+    }
+    for (const int limit : {0, 1, 3, 5, 7}) {
+      std::vector<Index> at, below;
+      for (Index f = 0; f < 6; ++f) {
+        if (squares[f] <= limit * limit) at.push_back(f);
+        if (squares[f] < limit * limit) below.push_back(f);
+      }
+      const Pose pose = Pose::translation(t[0], t[1], t[2]);
+      BOOST_TEST(query.zone(pose, Pose(), std::to_string(limit)) == at);
+      BOOST_TEST(query.zone(pose, Pose(), std::to_string(limit) + "00000000000000000000001/100000000000000000000000") ==
+                 at);
+      if (limit > 0)
+        BOOST_TEST(query.zone(pose, Pose(),
+                              std::to_string(limit * 1000 - 1) + "999999999999999999/1000000000000000000000") == below);
+    }
+  }
+  BOOST_TEST(query.zone(Pose(), Pose(), "-1").empty());
+  BOOST_CHECK_THROW(query.zone(Pose(), Pose(), "nan"), Error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
