@@ -77,7 +77,8 @@ Verdict mapped(const Solid_level::Trial& t)
     Entries entries;
     for (int column = 0; column < 4; ++column) {
       const Exact_vector x = {pose.exact(column), pose.exact(4 + column), pose.exact(8 + column)};
-      const Exact_vector y = column < 3 ? turned(affine_map(), x) : image(affine_map(), x);
+      const Exact_vector y =
+          column < 3 ? object_family::turned(affine_map(), x) : object_family::image(affine_map(), x);
       for (int row = 0; row < 3; ++row) entries[4 * row + column] = y[row];
     }
     return exact_pose(entries, true);
@@ -89,9 +90,9 @@ Verdict mapped(const Solid_level::Trial& t)
   twin.pose_b = *pose_b;
   Solid_overlap expected = t.given.overlap;
   if (expected.volume != 0) {
-    const auto column = [](int k) { return turned(affine_map(), Exact_vector{k == 0, k == 1, k == 2}); };
-    expected.volume *= Rational(abs(dot(column(0), cross(column(1), column(2)))));
-    expected.centroid = image(affine_map(), expected.centroid);
+    const auto column = [](int k) { return object_family::turned(affine_map(), Exact_vector{k == 0, k == 1, k == 2}); };
+    expected.volume *= Rational(abs(object_family::dot(column(0), object_family::cross(column(1), column(2)))));
+    expected.centroid = object_family::image(affine_map(), expected.centroid);
   }
   return overlap_is(expected, t, twin);
 }
@@ -174,8 +175,9 @@ Exact_vector middle_of_corners(const Polyhedron& body, const Pose& pose)
   Exact_vector total = {0, 0, 0};
   for (covering::Index f = 0; f < body.face_count(); ++f)
     for (std::size_t l = 0; l < body.loop_count(f); ++l)
-      for (const covering::Index v : body.loop(f, l)) total = sum(total, object_family::exact(body.vertices[v]));
-  return image(pose, times(Rational(1) / Rational(long(body.corner_count())), total));
+      for (const covering::Index v : body.loop(f, l))
+        total = object_family::sum(total, object_family::exact(body.vertices[v]));
+  return object_family::image(pose, object_family::times(Rational(1) / Rational(long(body.corner_count())), total));
 }
 
 /// Relation: convex solids that meet in p overlap when B moves by a share of the way between inner points, from b to a.
@@ -184,7 +186,8 @@ Verdict nudged(const Solid_level::Trial& t)
 {
   if (t.given.overlap.contact.relation != Solid_relation::meet || !is_convex(*t.c.a) || !is_convex(*t.c.b))
     return Verdict::not_applicable;
-  const Exact_vector way = difference(middle_of_corners(*t.c.a, t.c.pose_a), middle_of_corners(*t.c.b, t.c.pose_b));
+  const Exact_vector way =
+      object_family::difference(middle_of_corners(*t.c.a, t.c.pose_a), middle_of_corners(*t.c.b, t.c.pose_b));
   const Rational share(1, 1L << (10 + one_of(t.random, 40)));
   Entries entries = entries_of(t.c.pose_b);
   for (int row = 0; row < 3; ++row) entries[4 * row + 3] += share * way[row];

@@ -87,6 +87,24 @@ class Own : public Running_subject {
     return tell(c, question, is_rational ? most_faces_in_rationals : most_faces, nearest, distance);
   }
 
+  Told<Solid_answer> solids(const Object_case& c) override
+  {
+    const auto solid = kernel::Question::solid;
+    const auto contact = [&](const kernel::Pose& pose_b) {
+      return pair_->query(solid)->solid_relation(c.pose_a, pose_b);
+    };
+    const auto answer = [&] {
+      const Overlap overlap = pair_->query(solid)->overlap(c.pose_a, c.pose_b);
+      Solid_answer answer{{contact(c.pose_b), kernel::Rational(overlap.exact_volume)},
+                          pair_->query(solid)->solid_relation_alone(c.pose_a, c.pose_b),
+                          overlap.volume,
+                          overlap.centroid};
+      for (std::size_t k = 0; k < 3; ++k) answer.overlap.centroid[k] = kernel::Rational(overlap.exact_centroid[k]);
+      return answer;
+    };
+    return tell(c, solid, most_faces, answer, contact);
+  }
+
   Outcome within(const Object_case& c, kernel::Question question, const std::string& limit) override
   {
     const Told<bool> told =
