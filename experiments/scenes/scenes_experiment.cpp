@@ -40,7 +40,7 @@ struct Scene_contestant {
 };
 
 Scene_contestant ours(const std::string& name, const Scene_workload& work, const std::vector<Body>& bodies,
-                std::size_t threads)
+                      std::size_t threads)
 {
   const auto scene = std::make_shared<Scene>(Scene_options{.question = Question::surface, .threads = threads});
   for (const Body& body : bodies) scene->add_model(body);
@@ -157,7 +157,8 @@ std::size_t missing(const Pairs& from, const Pairs& in)
 
 std::vector<Scene_contestant> contestants(const Scene_workload& work, const std::vector<Body>& bodies)
 {
-  std::vector<Scene_contestant> all = {ours("tetracone", work, bodies, 1), ours("tetracone, 2 threads", work, bodies, 2)};
+  std::vector<Scene_contestant> all = {ours("tetracone", work, bodies, 1),
+                                       ours("tetracone, 2 threads", work, bodies, 2)};
   const auto boxes = std::make_shared<Boxes_of_cgal>(work, bodies);
   all.push_back({"CGAL boxes, our queries", [boxes](const auto& poses) { return boxes->frame(poses); },
                  [boxes] { return boxes->candidates(); }});

@@ -113,7 +113,8 @@ struct Body_data {
   }
 
  private:
-  mutable std::once_flag closed_once_, simple_once_, bvh8_once_, point_locator_once_, by_triangles_once_, solid_sides_once_;
+  mutable std::once_flag closed_once_, simple_once_, bvh8_once_, point_locator_once_, by_triangles_once_,
+      solid_sides_once_;
   mutable bool closed_ = false, simple_ = false;
   mutable std::optional<tetratree::Bvh8> bvh8_;
   mutable std::atomic<const tetratree::Bvh8*> made_bvh8_ = nullptr;

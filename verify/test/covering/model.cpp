@@ -8,6 +8,7 @@
 
 #include <array>
 #include <tuple>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_model)
 
@@ -80,6 +81,45 @@ KERNEL_TEST_CASE(a_point_not_asked_for_at_one_pose_is_placed_at_the_next, K, Exa
   placed.place(second);
   BOOST_TEST((exactly<K>(placed.point(0)) == rationals::Vector{5, 0, 0}));
   BOOST_TEST((exactly<K>(placed.point(7)) == rationals::Vector{6, 1, 1}));
+}
+
+KERNEL_TEST_CASE(signs_of_placed_points_are_those_of_their_pose, K, Exact_motions)
+{
+  // The moved corner is on the plane x = 1 of the cube that stays, then beside it by less than doubles tell.
+  const Model<K> model(scenes::unit_cube());
+  Placed_model<K> moved(model), fixed(model);
+  std::vector<Pose> poses;
+  for (const double shift : {0.0, 0x1p-80, -0x1p-80, 0.0}) {
+    std::array<Rational, 12> entries = {Rational(3, 5),
+                                        Rational(-4, 5),
+                                        0,
+                                        1 + Rational(shift),
+                                        Rational(4, 5),
+                                        Rational(3, 5),
+                                        0,
+                                        Rational(1, 3),
+                                        0,
+                                        0,
+                                        1,
+                                        0};
+    poses.push_back(Pose(entries));
+  }
+  std::vector<Index> wall;  // x = 1
+  Index corner = 0;         // the origin
+  for (Index v = 0; v < model.vertices().size(); ++v) {
+    if (model.vertices()[v][0] == 1) wall.push_back(v);
+    if (model.vertices()[v] == Vertex{0, 0, 0}) corner = v;
+  }
+  for (const Pose& pose : poses) {
+    moved.place(pose);
+    const Rational side = pose.exact(3) - 1;
+    const Sign outside = volume_sign<K>(fixed.point(wall[0]), fixed.point(wall[1]), fixed.point(wall[2]),
+                                        moved.point(corner)),
+               inside = volume_sign<K>(fixed.point(wall[0]), fixed.point(wall[1]), fixed.point(wall[2]),
+                                       fixed.point(corner));
+    BOOST_TEST(inside != ZERO);
+    BOOST_TEST(outside == -inside * CGAL::sign(side));
+  }
 }
 
 KERNEL_TEST_CASE(a_placed_face_shows_the_loops_of_its_face_at_the_pose, K, Exact_motions)
