@@ -26,7 +26,8 @@ struct Rational_piece {
 
 namespace detail {
 
-/// Two faces of one plane, cut into trapezoids: the parts of slabs between edges. Winding numbers are summed from below.
+/// Two faces of one plane, cut into trapezoids: the parts of slabs between edges. Winding numbers are summed from
+/// below.
 class Coplanar_arrangement {
  public:
   Coplanar_arrangement(const Rational_face& p, const Rational_face& q)

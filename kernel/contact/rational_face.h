@@ -89,8 +89,8 @@ class Rational_face {
   }
 
   /// Returns the winding number of the loops about x, both as seen from the far end of axis k: signed crossings of a
-  /// ray. Where x is seen on a loop, it counts as moved by an infinitesimal, the same for all faces. A face that is seen
-  /// as a line has the winding number 0.
+  /// ray. Where x is seen on a loop, it counts as moved by an infinitesimal, the same for all faces. A face that is
+  /// seen as a line has the winding number 0.
   int winding(const Rational_point& x, int k) const
   {
     const int u = (k + 1) % 3, v = (k + 2) % 3;

@@ -6,6 +6,7 @@
 #include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/contact/face_cells.h"
 #include "tetracone/kernel/contact/rational_contact.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 
 #include <algorithm>
@@ -38,10 +39,10 @@ inline void add_cuts(const kernel::Rational_face& p, const kernel::Rational_face
 
 /// Which sides of the faces of one body are in its solid. A side is in the solid where its winding number is not 0.
 ///
-/// A triangle is *plain* if it has area, and no other face meets it but in a vertex or an edge of both (by coordinates).
-/// Then no face divides its sides. Plain triangles at an edge of exactly two faces, which use it in opposite directions,
-/// have like sides, and are of one patch. One point tells the sides of a patch. Every other face is cut by those that
-/// meet it; one point of each cell tells its sides.
+/// A triangle is *plain* if it has area, and no other face meets it but in a vertex or an edge of both (by
+/// coordinates). Then no face divides its sides. Plain triangles at an edge of exactly two faces, which use it in
+/// opposite directions, have like sides, and are of one patch. One point tells the sides of a patch. Every other face
+/// is cut by those that meet it; one point of each cell tells its sides.
 class Solid_sides {
  public:
   /// A face's sides. `front` is the side from which its corners are anticlockwise.
@@ -137,7 +138,7 @@ class Solid_sides {
         const covering::Loop loop = polyhedron_->loop(f, l);
         for (std::size_t k = 0; k < loop.size(); ++k) {
           const Index from = place_[loop[k]], to = place_[loop[k + 1 == loop.size() ? 0 : k + 1]];
-          if (from != to) uses.push_back({std::min(from, to), std::max(from, to), f, from < to});
+          if (from != to) uses.push_back({kernel::minimum(from, to), kernel::maximum(from, to), f, from < to});
         }
       }
     std::ranges::sort(uses, {}, [](const Use& use) { return std::uint64_t(use.low) << 32 | use.high; });

@@ -140,10 +140,10 @@ class Bvh8_relation_solver : public Relation_solver {
   /// Returns the relation where it is `disjoint`, or where the pair of triangles that the query met crosses properly.
   ///
   /// A proper crossing is an edge of one body that goes through the inside of a triangle of the other. Both bodies are
-  /// simple. So exactly two faces meet in the edge. They divide a small ball about the crossing into two wedges, of which
-  /// one is in the first solid and one is not. The triangle divides the ball into two halves, of which one is in the
-  /// second solid and one is not. The edge leaves the ball on both sides of the triangle's plane. So each wedge has a part
-  /// in each half: the interiors share a point, and either solid has a point outside the other.
+  /// simple. So exactly two faces meet in the edge. They divide a small ball about the crossing into two wedges, of
+  /// which one is in the first solid and one is not. The triangle divides the ball into two halves, of which one is in
+  /// the second solid and one is not. The edge leaves the ball on both sides of the triangle's plane. So each wedge has
+  /// a part in each half: the interiors share a point, and either solid has a point outside the other.
   std::optional<Solid_relation> known_relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
   {
     const Relation relation = collision_.relation(pose_a, pose_b, Question::solid, &memory_);

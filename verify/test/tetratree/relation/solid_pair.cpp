@@ -277,7 +277,7 @@ namespace {
 constexpr int width = 4;
 using Place = std::array<int, 3>;
 
-/// A set of unit cubes of a grid, and unit squares. What is asked of two of them is found by counting.
+/// A set of unit cubes of a grid, and unit squares. Counting answers all questions about two of them.
 struct Blocks {
   std::bitset<width * width * width> cubes;
   std::vector<std::pair<Place, int>> sheets;  ///< the least corner of a square, and the axis across it
