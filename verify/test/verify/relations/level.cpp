@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(relations_of_solids_hold_and_are_violated_by_wrong_answers)
   const auto ask = solid_subjects()[0].make();
   All_tried tried;
   for (const char* name : {"lego", "nested-touching", "face-on-face", "vertex-on-vertex", "stacked"})
-    for (std::uint64_t k = 0; k < 8; ++k) {
+    for (std::uint64_t k = 0; k < 12; ++k) {
       const Object_case c = find_family(name)->object_case(9, k);
       if (c.a->face_count() + c.b->face_count() > 24) continue;
       const auto given = ask->solids(c);
