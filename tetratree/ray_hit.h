@@ -4,6 +4,8 @@
 #include "tetracone/covering/polyhedron.h"
 
 #include <array>
+#include <cstdint>
+#include <string_view>
 
 namespace tetracone::tetratree {
 
@@ -20,6 +22,19 @@ struct Ray_hit {
   /// Equal in both.
   bool operator==(const Ray_hit&) const = default;
 };
+
+/// How a ray goes through a face, by the face's normal.
+enum class Crossing : std::uint8_t {
+  entering,  ///< against the normal
+  leaving,   ///< along it
+  along      ///< in the face's plane, or through a face without a normal
+};
+
+/// Returns the enumerator's own name.
+constexpr std::string_view to_string(Crossing crossing)
+{
+  return crossing == Crossing::entering ? "entering" : crossing == Crossing::leaving ? "leaving" : "along";
+}
 
 }  // namespace tetracone::tetratree
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,7 +25,8 @@ namespace {
 struct Ray_options {
   std::string model, rays, csv;
   Model_options models;
-  bool all = false, time = false;
+  std::string end;
+  bool all = false, any = false, sides = false, normals = false, time = false;
 };
 
 /// Where the ray first meets the triangle, exactly; the triangle may be a segment.
@@ -61,59 +63,96 @@ bool is_met_once(const Ray& ray, const std::array<covering::Vertex, 3>& a, const
   return from_point && *from_point == 0;
 }
 
-/// The hits, by the faces of the file. A ray may meet several triangles of a split face. Two of them met in one point
-/// of their common edge count as one hit.
-std::vector<Ray_hit> named_as_in_file(const Ray& ray, const std::vector<Ray_hit>& hits, const Model_file& model)
+/// The hits that the faces of the file have. A ray may meet several triangles of a split face. Two of them met in one
+/// point of their common edge count as one hit.
+std::vector<Ray_hit> as_in_file(const Ray& ray, const std::vector<Ray_hit>& hits, const Model_file& model)
 {
   const auto corners = [&](covering::Index triangle) {
     const covering::Loop loop = model.polyhedron().loop(triangle, 0);
     const auto& vertices = model.polyhedron().vertices;
     return std::array{vertices[loop[0]], vertices[loop[1]], vertices[loop[2]]};
   };
-  std::vector<Ray_hit> kept, named;
+  std::vector<Ray_hit> kept;
   for (const Ray_hit& hit : hits) {
     const covering::Index face = model.source_face[hit.face];
     const auto is_of_same_face = [&](const Ray_hit& other) {
       return other.t == hit.t && model.source_face[other.face] == face &&
              is_met_once(ray, corners(other.face), corners(hit.face));
     };
-    if (std::any_of(kept.begin(), kept.end(), is_of_same_face)) continue;
-    kept.push_back(hit);
-    named.push_back({face, hit.t});
+    if (std::none_of(kept.begin(), kept.end(), is_of_same_face)) kept.push_back(hit);
   }
-  return named;
+  return kept;
+}
+
+/// The words of a hit: the face of the file, t, and what the options add.
+std::vector<std::string> words_of(const Ray& ray, const Ray_hit& hit, const Model_file& model,
+                                  const Ray_options& options)
+{
+  std::vector<std::string> words = {std::to_string(model.source_face[hit.face]), kernel::shortest(hit.t)};
+  if (options.sides) words.emplace_back(to_string(model.body.crossing(ray, hit.face)));
+  if (options.normals)
+    for (const double x : model.body.normal(hit.face)) words.push_back(kernel::shortest(x));
+  return words;
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& separator)
+{
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
+double end_of(const Ray_options& options)
+{
+  if (options.end.empty()) return std::numeric_limits<double>::infinity();
+  const auto end = kernel::parse_double(options.end);
+  if (!end) throw CLI::ValidationError("--end " + options.end, "expected a finite decimal number");
+  return *end;
 }
 
 void run_ray(const Ray_options& options)
 {
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
+  if (options.any && (options.all || options.sides || options.normals))
+    throw CLI::ValidationError("--any", "expected without --all, --sides and --normals");
+  const double end = end_of(options);
   if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.rays});
   const auto rays = covering::read_rays(options.rays);
   const Model_file model = load_model(options.model, options.models, false);
   const Body body = model.body;
   body.make_all();  // no ray's time is that of the tree
 
-  std::string text, csv = options.time ? "ray,face,t,ns\n" : "ray,face,t\n";
+  const std::size_t columns = 2 + (options.sides ? 1 : 0) + (options.normals ? 3 : 0);
+  std::string text, csv = options.any ? "ray,hit" : "ray,face,t";
+  if (options.sides) csv += ",side";
+  if (options.normals) csv += ",nx,ny,nz";
+  csv += options.time ? ",ns\n" : "\n";
   Progress progress("rays", rays.size());
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const auto& r = rays[k];
     const Ray ray{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
     const Stopwatch watch;
     std::vector<Ray_hit> hits;
-    if (options.all)
-      hits = body.hits(ray);
-    else if (const auto first = body.first_hit(ray))
+    bool is_hit = false;
+    if (options.any)
+      is_hit = body.is_hit(ray, end);
+    else if (options.all)
+      hits = body.hits(ray, end);
+    else if (const auto first = body.first_hit(ray, end))
       hits = {*first};
     const std::string ns = options.time ? "," + std::to_string(static_cast<long long>(watch.nanoseconds())) : "";
-    hits = named_as_in_file(ray, hits, model);
-    if (hits.empty()) {
+    hits = as_in_file(ray, hits, model);
+    if (options.any) {
+      text += is_hit ? "1" : "0";
+      csv += std::to_string(k) + (is_hit ? ",1" : ",0") + ns + "\n";
+    } else if (hits.empty()) {
       text += "-";
-      csv += std::to_string(k) + ",-," + ns + "\n";
+      csv += std::to_string(k) + ",-" + std::string(columns - 1, ',') + ns + "\n";
     }
     for (std::size_t h = 0; h < hits.size(); ++h) {
-      const std::string face = std::to_string(hits[h].face), t = kernel::shortest(hits[h].t);
-      text += (h == 0 ? "" : " ") + face + " " + t;
-      csv += std::to_string(k) + "," + face + "," + t + ns + "\n";
+      const auto words = words_of(ray, hits[h], model, options);
+      text += (h == 0 ? "" : " ") + joined(words, " ");
+      csv += std::to_string(k) + "," + joined(words, ",") + ns + "\n";
     }
     text += "\n";
     progress.step();
@@ -136,6 +175,13 @@ void add_ray_command(CLI::App& app)
   command->add_flag(
       "--all", options->all,
       "Every face that is met, `face t` after `face t`, in order; each crossing of one that is not planar");
+  command->add_option("--end", options->end, "Only what is met at a t of at most this decimal number, exactly");
+  command->add_flag("--any", options->any, "1 or 0 a line: is anything met");
+  command->add_flag("--sides", options->sides,
+                    "Behind t: `entering` against the face's normal, `leaving` with it, or `along` its plane");
+  command->add_flag("--normals", options->normals,
+                    "Behind that: the face's unit normal, outward where faces are oriented outward; each component is "
+                    "the double nearest to it");
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--time", options->time, "With --csv: nanoseconds of each ray");
   options->models.add_to(*command);

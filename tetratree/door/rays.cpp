@@ -1,11 +1,18 @@
+#include "tetracone/covering/edge_uses.h"
+#include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/nearest_root.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/query/bvh8_rays.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace tetracone {
 namespace {
@@ -29,9 +36,61 @@ const Ray& checked(const Ray& ray)
   return ray;
 }
 
+double checked(double end)
+{
+  if (std::isnan(end)) [[unlikely]]
+    throw Error("ray: the end is nan; expected a number");
+  return end;
+}
+
+/// Returns a normal of the face, exactly, of any length; 0 for a face without a plane. The sum of its loops' cross
+/// products is twice the area times the unit normal.
+kernel::Rational_point exact_normal(const Polyhedron& polyhedron, Index face)
+{
+  if (face >= polyhedron.face_count())
+    throw Error("body: face " + std::to_string(face) + " of " + std::to_string(polyhedron.face_count()) +
+                "; expected a face's number");
+  const auto exact = [&](Index v) {
+    const auto& x = polyhedron.vertices[v];
+    return kernel::Rational_point{x[0], x[1], x[2]};
+  };
+  const kernel::Rational_point origin = exact(polyhedron.loop(face, 0)[0]);
+  kernel::Rational_point normal;
+  covering::for_each_directed_edge(polyhedron, face, [&](Index from, Index to) {
+    const auto part = kernel::cross(kernel::difference(exact(from), origin), kernel::difference(exact(to), origin));
+    for (std::size_t k = 0; k < 3; ++k) normal[k] += part[k];
+  });
+  return normal;
+}
+
 }  // namespace
 
 std::optional<Ray_hit> Body::first_hit(const Ray& ray) const { return rays_of(*data_).first(checked(ray)); }
+
+std::optional<Ray_hit> Body::first_hit(const Ray& ray, double end) const
+{
+  return rays_of(*data_).first(checked(ray), checked(end));
+}
+
+bool Body::is_hit(const Ray& ray, double end) const { return rays_of(*data_).any(checked(ray), checked(end)); }
+
+Crossing Body::crossing(const Ray& ray, Index face) const
+{
+  const auto& d = checked(ray).direction;
+  const int sign = sgn(kernel::dot(exact_normal(data_->polyhedron, face), kernel::Rational_point{d[0], d[1], d[2]}));
+  return sign < 0 ? Crossing::entering : sign > 0 ? Crossing::leaving : Crossing::along;
+}
+
+std::array<double, 3> Body::normal(Index face) const
+{
+  const kernel::Rational_point exact = exact_normal(data_->polyhedron, face);
+  const kernel::Rational square = kernel::dot(exact, exact);
+  std::array<double, 3> normal{};
+  if (sgn(square) == 0) return normal;
+  for (std::size_t k = 0; k < 3; ++k)
+    normal[k] = sgn(exact[k]) * kernel::nearest_root(kernel::Rational(exact[k] * exact[k] / square));
+  return normal;
+}
 
 std::vector<std::optional<Ray_hit>> Body::first_hits(std::span<const Ray> rays) const
 {
@@ -41,5 +100,10 @@ std::vector<std::optional<Ray_hit>> Body::first_hits(std::span<const Ray> rays) 
 }
 
 std::vector<Ray_hit> Body::hits(const Ray& ray) const { return rays_of(*data_).all(checked(ray)); }
+
+std::vector<Ray_hit> Body::hits(const Ray& ray, double end) const
+{
+  return rays_of(*data_).all(checked(ray), checked(end));
+}
 
 }  // namespace tetracone

@@ -57,6 +57,7 @@ using kernel::Question;
 using kernel::Relation;
 using kernel::Solid_contact;
 using kernel::Solid_relation;
+using tetratree::Crossing;
 using tetratree::Query_statistics;
 using tetratree::Ray;
 using tetratree::Ray_hit;
@@ -171,12 +172,30 @@ class Body {
   /// that is not finite, and for a direction of 0.
   std::optional<Ray_hit> first_hit(const Ray& ray) const;
 
+  /// Returns the first face that the ray meets at a t of at most `end`, compared exactly. Throws Error as above, and
+  /// for an end that is no number.
+  std::optional<Ray_hit> first_hit(const Ray& ray, double end) const;
+
+  /// True when the ray meets some face at a t of at most `end`. It costs less than `first_hit`. Throws as that.
+  bool is_hit(const Ray& ray, double end) const;
+
+  /// Returns how the ray goes through a face that it meets, by the face's normal: `entering` and `leaving` are those of
+  /// the solid where faces are oriented outward. Throws Error as `first_hit`, and for a face's number out of range.
+  Crossing crossing(const Ray& ray, Index face) const;
+
+  /// Returns the face's unit normal, to the side that sees its loops counterclockwise: outward where faces are oriented
+  /// outward. Each component is the double nearest to the exact one. All are 0 where loops turn as much either way, as
+  /// about no area. Throws Error for a face's number out of range.
+  std::array<double, 3> normal(Index face) const;
+
   /// Returns the first faces of many rays. Throws as for one.
   std::vector<std::optional<Ray_hit>> first_hits(std::span<const Ray> rays) const;
 
   /// Returns every face that the ray meets, each once, where it first meets it, in the exact order of t, then of faces.
   /// Throws as `first_hit`.
   std::vector<Ray_hit> hits(const Ray& ray) const;
+  /// Returns those whose t is at most `end`. Throws as above, and for an end that is no number.
+  std::vector<Ray_hit> hits(const Ray& ray, double end) const;
 
  private:
   friend class Query;
@@ -298,9 +317,9 @@ class Query {
   /// Same, for poses of the templates. Requires det M != 0.
   Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
-  /// Returns the faces of A, in order, that have a point at most `limit` from B, decided on squares, exactly; none for a
-  /// negative limit. B is its solid, or its surface under `Question::surface`. The limit is as for `within`. Throws
-  /// Error as `nearest` and `within`.
+  /// Returns the faces of A, in order, that have a point at most `limit` from B, decided on squares, exactly. There are
+  /// none for a negative limit. B is its solid, or its surface under `Question::surface`. The limit is as for `within`.
+  /// Throws Error as `nearest` and `within`.
   std::vector<Index> zone(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
   /// Same, for poses of the templates. Requires det M != 0.
   std::vector<Index> zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);

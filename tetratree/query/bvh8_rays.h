@@ -40,7 +40,7 @@ class Bvh8_rays {
     hits.reserve(rays.size());
     while (hits.size() < rays.size()) {
       const auto some = rays.subspan(hits.size(), kernel::minimum(at_once, rays.size() - hits.size()));
-      for (std::size_t k = 0; k < some.size(); ++k) casters[k].begin(some[k], true);
+      for (std::size_t k = 0; k < some.size(); ++k) casters[k].begin(some[k], true, no_end);
       for (unsigned under_way = (1u << some.size()) - 1; under_way != 0;)
         for_bits(under_way, [&](int k) {
           if (!casters[std::size_t(k)].advance()) under_way &= ~(1u << k);
@@ -50,20 +50,39 @@ class Bvh8_rays {
     return hits;
   }
 
-  /// Returns the hit of least t; of several faces there, the one of least number. Requires finite numbers and a
-  /// direction that is not 0.
-  std::optional<Ray_hit> first(const Ray& ray)
+  /// The end of a ray without one.
+  static constexpr double no_end = std::numeric_limits<double>::infinity();
+
+  /// Returns the hit of least t; of several faces there, the one of least number. Nothing where that t is above `end`.
+  /// Requires finite numbers and a direction that is not 0.
+  std::optional<Ray_hit> first(const Ray& ray, double end = no_end)
   {
-    begin(ray, true);
+    begin(ray, true, end);
     while (advance()) continue;
-    return first_met();
+    auto hit = first_met();
+    if (hit && !is_before_end(met_.front())) hit.reset();
+    return hit;
   }
 
-  /// Returns every face that is met, by t, then by number. Requires as `first`.
-  std::vector<Ray_hit> all(const Ray& ray)
+  /// True when some face is met at a t of at most `end`. It stops at the first that it finds. Requires as `first`.
+  bool any(const Ray& ray, double end = no_end)
   {
-    begin(ray, false);
+    begin(ray, true, end);
+    bool is_under_way = true;
+    for (std::size_t decided = 0; is_under_way;) {
+      is_under_way = advance();
+      for (; decided < met_.size(); ++decided)
+        if (is_before_end(met_[decided])) return true;
+    }
+    return false;
+  }
+
+  /// Returns every face that is met at a t of at most `end`, by t, then by number. Requires as `first`.
+  std::vector<Ray_hit> all(const Ray& ray, double end = no_end)
+  {
+    begin(ray, false, end);
     while (advance()) continue;
+    if (end < no_end) std::erase_if(met_, [this](Met& m) { return !is_before_end(m); });
     std::sort(met_.begin(), met_.end(), [](const Met& x, const Met& y) { return x.low < y.low; });
     for (std::size_t begin = 0, end; begin < met_.size(); begin = end) {
       double high = met_[begin].high;
@@ -127,10 +146,11 @@ class Bvh8_rays {
     return tree_->model().vertices()[element.corner[std::size_t(k)]];
   }
 
-  /// Begins a ray. With `first_alone`, boxes beyond the first hit so far are not opened.
-  void begin(const Ray& ray, bool first_alone)
+  /// Begins a ray. With `first_alone`, boxes beyond the first hit so far are not opened. No boxes beyond `end` are.
+  void begin(const Ray& ray, bool first_alone, double end)
   {
     ray_ = ray;
+    end_ = end;
     filter_.emplace(ray.origin, ray.direction);
     exact_ray_.reset();
     local_.reset();
@@ -147,6 +167,8 @@ class Bvh8_rays {
       if (!local_) return;
       const auto& d = filter_->direction();
       per_t_ = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / tree_->scale().unit;
+      // The quotient of rounded numbers is as exact as an enclosure's end.
+      if (end < no_end) farthest_ = kernel::minimum(farthest_, scaled_end().second * per_t_ - local_->skipped);
     }
     open_.push_back({0, 0});
   }
@@ -255,6 +277,24 @@ class Bvh8_rays {
     return kernel::ray_face(*exact_ray_, Exact_face(tree_->model(), face));
   }
 
+  /// Returns the end of the scaled ray, rounded down and up.
+  std::pair<double, double> scaled_end() const
+  {
+    const double end = std::ldexp(end_, filter_->exponent());
+    return {std::nextafter(end, -HUGE_VAL), std::nextafter(end, HUGE_VAL)};
+  }
+
+  /// True when a hit's t is at most `end_`, exactly.
+  bool is_before_end(Met& met)
+  {
+    if (end_ == no_end) return true;
+    const auto [low, high] = scaled_end();
+    if (met.high <= low) return true;
+    if (met.low > high) return false;
+    make_exact(met);
+    return *met.t <= times_power(Rational(end_), filter_->exponent());
+  }
+
   static Rational times_power(const Rational& x, int exponent)
   {
     Rational result;
@@ -293,6 +333,7 @@ class Bvh8_rays {
 
   const Bvh8* tree_;
   Ray ray_{};
+  double end_ = no_end;
   std::optional<kernel::Ray_triangle> filter_;
   std::optional<kernel::Rational_ray> exact_ray_;
   std::optional<kernel::Local_ray> local_;

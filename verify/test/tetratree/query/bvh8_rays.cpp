@@ -90,4 +90,49 @@ BOOST_AUTO_TEST_CASE(a_mesh_of_many_triangles_answers_as_all_of_them_do)
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_end_leaves_what_the_truth_has_up_to_it)
+{
+  scenes::Random random(20263);
+  long kept = 0, dropped = 0, at_end = 0;
+  for (const auto& [name, body] : scenes::bodies_of_any_size()) {
+    BOOST_TEST_INFO_SCOPE(name);
+    const Bvh8 tree(body, tetracone::covering::star_faces(body));
+    Bvh8_rays caster(tree);
+    const Ray_truth truth(body);
+    const std::vector<Vertex> points = scenes::hard_points(body, tree.model().lattice().origin, random);
+    int wrong = 0;
+    for (std::size_t k = 0; k + 1 < points.size(); k += 2) {
+      Vertex direction;
+      for (int i = 0; i < 3; ++i) direction[i] = 3 * (points[k + 1][i] - points[k][i]);
+      if (direction == Vertex{0, 0, 0} || !std::isfinite(direction[0] + direction[1] + direction[2])) continue;
+      const Ray ray{points[k], direction};
+      const auto exact = truth(ray.origin, ray.direction);
+      // Ends at hits, as doubles round them, and beside them.
+      std::vector<double> ends = {0, -1, 0.5, 1e300};
+      for (const auto& [t, face] : exact) {
+        const double nearest = tetracone::kernel::nearest_double(t);
+        for (const double end : {nearest, std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)})
+          if (std::isfinite(end)) ends.push_back(end);
+      }
+      for (const double end : ends) {
+        std::vector<Ray_hit> expected;
+        for (const auto& [t, face] : exact) {
+          if (t <= tetracone::kernel::Rational(end)) expected.push_back({face, tetracone::kernel::nearest_double(t)});
+          at_end += t == tetracone::kernel::Rational(end);
+        }
+        const auto first = expected.empty() ? std::nullopt : std::optional(expected.front());
+        wrong += caster.all(ray, end) != expected || caster.first(ray, end) != first ||
+                 caster.any(ray, end) == expected.empty();
+        kept += long(expected.size());
+        dropped += long(exact.size() - expected.size());
+      }
+      wrong += caster.any(ray) == exact.empty();
+    }
+    BOOST_TEST(wrong == 0);
+  }
+  BOOST_TEST(kept > 2000);
+  BOOST_TEST(dropped > 2000);
+  BOOST_TEST(at_end > 200);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
