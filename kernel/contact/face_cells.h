@@ -19,9 +19,9 @@ class Face_cells {
  public:
   using Edge = Rational_face::Edge;
 
-  /// Requires a face with a plane.
-  Face_cells(const Rational_face& face, const std::vector<Edge>& cuts)
-      : axis_(face.axis()), plane_(axis_, std::array{&face.edges(), &cuts})
+  /// Requires a face with a plane. `may_cross` is that of `Plane_slabs`.
+  Face_cells(const Rational_face& face, const std::vector<Edge>& cuts, bool may_cross = true)
+      : axis_(face.axis()), plane_(axis_, std::array{&face.edges(), &cuts}, may_cross)
   {
     plane_.for_slabs(
         [this](const Rational& left, const Rational& right, std::span<const detail::Plane_slabs::Crossing> crossings) {

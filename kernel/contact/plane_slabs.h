@@ -43,14 +43,15 @@ class Plane_slabs {
     bool coincides(const Crossing& other) const { return y_left == other.y_left && y_right == other.y_right; }
   };
 
-  /// Cuts the plane with a normal that is not 0 along `axis` by lists of segments. A segment may be a point.
-  Plane_slabs(int axis, std::span<const std::vector<Edge>* const> lists) : axis_(axis)
+  /// Cuts the plane with a normal that is not 0 along `axis` by lists of segments. A segment may be a point. Unless
+  /// they `may_cross`, no two of them share a point that is inside both, except on one line.
+  Plane_slabs(int axis, std::span<const std::vector<Edge>* const> lists, bool may_cross = true) : axis_(axis)
   {
     choose_shear(lists);
     for (std::size_t owner = 0; owner < lists.size(); ++owner)
       for (const Edge& edge : *lists[owner]) add_line(int(owner), edge);
     std::ranges::sort(lines_, {}, &Line::x0);
-    for (auto a = lines_.begin(); a != lines_.end(); ++a)
+    for (auto a = lines_.begin(); may_cross && a != lines_.end(); ++a)
       for (auto b = std::next(a); b != lines_.end() && b->x0 < a->x1; ++b) add_crossing(*a, *b);
     for (const auto& [at, point] : nodes_)
       if (stops_.empty() || stops_.back() != at.first) stops_.push_back(at.first);
@@ -73,7 +74,9 @@ class Plane_slabs {
       for (Crossing& c : active) c.y_left = c.y_right;
       for (; next != lines_.end() && next->x0 <= left; ++next) active.push_back({next->y0, 0, &*next});
       for (Crossing& c : active) c.y_right = c.line->y(right);
-      std::ranges::sort(active, {}, [](const Crossing& c) { return Rational(c.y_left + c.y_right); });
+      std::ranges::sort(active, [](const Crossing& a, const Crossing& b) {
+        return a.y_left != b.y_left ? a.y_left < b.y_left : a.y_right < b.y_right;
+      });
       what(left, right, std::span<const Crossing>(active));
     }
   }

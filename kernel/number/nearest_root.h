@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace tetracone::kernel {
 
@@ -47,22 +48,28 @@ inline double nearest_root(const Rational& square) { return nearest_root(square.
 /// Returns two doubles that enclose the sum of the roots of rationals that are not negative: equal where the sum is a
 /// double, else neighbours. The upper one is infinite where the sum exceeds all doubles.
 ///
-/// Each root is scaled by 2^k and rounded down. More bits are taken until the sum and the count of roots that are not
-/// whole leave no double within. This ends: a sum of irrational roots is no rational number.
+/// Rational roots are added exactly: they may sum up to a double, as 1/3 and 2/3 do. The others are scaled by 2^k and
+/// rounded down. More bits are taken until the sum and the number of these roots leave no double within. This ends: a
+/// sum of irrational roots, which are positive, is no rational number.
 inline std::array<double, 2> enclosed_root_sum(std::span<const Rational> squares)
 {
+  Rational exact = 0;
+  std::vector<Rational> others;
+  for (const Rational& square : squares) {
+    if (mpz_perfect_square_p(square.get_num_mpz_t()) != 0 && mpz_perfect_square_p(square.get_den_mpz_t()) != 0)
+      exact += Rational(sqrt(square.get_num()), sqrt(square.get_den()));
+    else
+      others.push_back(square);
+  }
   for (mp_bitcnt_t k = 64;; k *= 2) {
-    mpz_class sum = 0, rounded = 0, unit = 1, root, left;
+    mpz_class sum = 0, unit = 1;
     unit <<= k;
-    for (const Rational& square : squares) {
-      const mpz_class scaled = (square.get_num() << 2 * k) / square.get_den();
-      mpz_sqrtrem(root.get_mpz_t(), left.get_mpz_t(), scaled.get_mpz_t());
-      sum += root;
-      rounded += left != 0 || (square.get_num() << 2 * k) % square.get_den() != 0;
-    }
-    Rational low(sum, unit), high(mpz_class(sum + rounded), unit);
+    for (const Rational& square : others) sum += sqrt(mpz_class((square.get_num() << 2 * k) / square.get_den()));
+    Rational low(sum, unit), high(mpz_class(sum + mpz_class(others.size())), unit);
     low.canonicalize();
     high.canonicalize();
+    low += exact;
+    high += exact;
     double below = nearest_double(low), above = nearest_double(high);
     if (!std::isfinite(below) || Rational(below) > low) below = std::nextafter(below, -HUGE_VAL);
     if (std::isfinite(above) && Rational(above) < high) above = std::nextafter(above, HUGE_VAL);

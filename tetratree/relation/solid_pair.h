@@ -6,6 +6,7 @@
 #include "tetracone/kernel/contact/face_cells.h"
 #include "tetracone/kernel/predicate/face_contact.h"
 #include "tetracone/kernel/predicate/question.h"
+#include "tetracone/kernel/predicate/triangle_contact.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
 
 #include <algorithm>
@@ -24,6 +25,14 @@ struct Solid_piece {
   std::array<Index, 2> face;
   kernel::Piece kind;
   std::vector<std::vector<Rational_point>> loops;
+  kernel::Triangle_contact by_signs;  ///< of two triangles: the corners of the only loop; else none
+
+  /// Returns the edges of the triangle of a body that hold the segment from corner k to the next.
+  kernel::Edge_set edges_along(int body, int k) const
+  {
+    const auto &from = by_signs.corners[k], &to = by_signs.corners[(k + 1) % by_signs.count];
+    return body == 0 ? from.on_p & to.on_p : from.on_q & to.on_q;
+  }
 };
 
 /// A cell of a face, and both of its sides.
@@ -192,10 +201,20 @@ class Solid_pair {
   {
     Placed_solid& own = solid_[body];
     std::vector<Rational_face::Edge> cuts;
-    for (const std::size_t k : pieces)
-      for (const auto& loop : pieces_[k].loops) add_cuts(loop, cuts);
+    // Plain triangles meet in corners and edges alone, and so do their contacts with a triangle.
+    bool may_cross = !own.sides().of(f).is_plain;
+    for (const std::size_t k : pieces) {
+      const Solid_piece& piece = pieces_[k];
+      may_cross = may_cross || !solid_[1 - body].sides().of(piece.face[1 - body]).is_plain;
+      if (piece.by_signs.count == 0)
+        for (const auto& loop : piece.loops) add_cuts(loop, cuts);
+      // A segment on the border of a triangle does not cut it.
+      for (int j = piece.by_signs.count == 2; j < piece.by_signs.count && piece.by_signs.count > 1; ++j)
+        if (piece.edges_along(body, j) == 0)
+          cuts.push_back({piece.loops[0][j], piece.loops[0][(j + 1) % piece.by_signs.count]});
+    }
     for (const Index other : own.sides().cutters(f)) add_cuts(own.face(f), own.face(other), cuts);
-    const kernel::Face_cells cells(own.face(f), cuts);
+    const kernel::Face_cells cells(own.face(f), cuts, may_cross);
     std::vector<Seen_cell> seen;
     for (std::size_t c = 0; c < cells.size(); ++c) seen.push_back(see(body, f, pieces, cells, c));
     return what(cells, seen);

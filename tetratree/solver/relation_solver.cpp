@@ -6,6 +6,7 @@
 #include "tetracone/tetratree/door/contacts_data.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/query/bvh8_contacts.h"
+#include "tetracone/tetratree/relation/crossing_overlap.h"
 #include "tetracone/tetratree/relation/solid_pair.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
 
@@ -52,8 +53,17 @@ class Bvh8_relation_solver : public Relation_solver {
 
   Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
-    place(pose_a, pose_b, contacts(pose_a, pose_b));
-    const tetratree::Solid_overlap found = exactly().pair.overlap();
+    tetratree::Found_contacts contacts = this->contacts(pose_a, pose_b);
+    Placed_solid &a = exactly().pair.solid(0), &b = exactly().pair.solid(1);
+    tetratree::Solid_overlap found;
+    if (tetratree::Crossing_overlap::is_general(a, b, contacts)) {
+      a.place(pose_a);
+      b.place(pose_b);
+      found.all = tetratree::Crossing_overlap(a, b, contacts).value();
+    } else {
+      place(pose_a, pose_b, std::move(contacts));
+      found = exactly().pair.overlap();
+    }
     Overlap overlap;
     const auto write = [](const kernel::Rational& exact, double& nearest, std::string& text) {
       nearest = kernel::nearest_double(exact);
@@ -132,7 +142,7 @@ class Bvh8_relation_solver : public Relation_solver {
     std::vector<Solid_piece> pieces;
     for (std::size_t k = 0; k < data.found.pieces.size(); ++k) {
       const tetratree::Found_piece& piece = data.found.pieces[k];
-      pieces.push_back({{piece.face_a, piece.face_b}, piece.kind, rational_loops(data, k)});
+      pieces.push_back({{piece.face_a, piece.face_b}, piece.kind, rational_loops(data, k), piece.by_signs});
     }
     exactly().pair.place(pose_a, pose_b, std::move(pieces));
   }

@@ -52,6 +52,7 @@ const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/pred
                                                                    {"tetratree/query", "tetratree/fast"},
                                                                    {"tetratree/query", "tetratree/memory"},
                                                                    {"tetratree/relation", "tetratree"},
+                                                                   {"tetratree/relation", "tetratree/contact"},
                                                                    {"tetratree/relation", "tetratree/locator"},
                                                                    {"tetratree/relation", "tetratree/query"},
                                                                    {"tetratree/door", "tetratree/contact"},

@@ -179,6 +179,8 @@ BOOST_AUTO_TEST_CASE(a_sum_of_roots_is_enclosed_by_neighbours_or_told_exactly)
   BOOST_TEST((sum({4, Rational(9, 4)}) == Bounds{3.5, 3.5}));
   BOOST_TEST((sum({2}) == Bounds{std::nextafter(std::sqrt(2.0), 0), std::sqrt(2.0)}));  // sqrt(2) is rounded up
   BOOST_TEST((sum({Rational(1, 9)}) == Bounds{1.0 / 3, std::nextafter(1.0 / 3, 1)}));
+  BOOST_TEST((sum({Rational(1, 9), Rational(4, 9)}) == Bounds{1, 1}));  // 1/3 + 2/3
+  BOOST_TEST((sum({Rational(1, 9), 2, Rational(4, 9)}) == sum({1, 2})));
   BOOST_TEST((sum({1, Rational(0x1p-1000) * Rational(0x1p-1000)}) == Bounds{1, std::nextafter(1.0, 2)}));
   const Rational huge = Rational(0x1p1000) * Rational(0x1p1000);
   BOOST_TEST((sum({huge, Rational(2)}) == Bounds{0x1p1000, std::nextafter(0x1p1000, HUGE_VAL)}));

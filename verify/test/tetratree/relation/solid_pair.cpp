@@ -261,6 +261,24 @@ BOOST_AUTO_TEST_CASE(hard_bodies_equal_themselves_and_swap_with_others)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_volume_in_general_position_is_that_of_the_cells)
+{
+  // A sheet far away makes a body that is not simple, so that cells are asked.
+  scenes::Random random(8);
+  int general = 0;
+  for (int round = 0; round < 30; ++round) {
+    const Polyhedron a = scenes::blob(random, 3, 0.5, 1), b = scenes::blob(random, 2, 0.5, 1);
+    const Pose of_a = round % 3 == 0 ? scenes::random_affine(random, 2) : scenes::random_rotation(random),
+               of_b = scenes::random_rotation(random, 5, {Rational(Rational(round) / 30), Rational(1, 7), 0});
+    Query query{Body(a), Body(b)}, with_sheet{Body(both(a, sheet({5, 5, 5}, 1))), Body(b)};
+    const Overlap by_crossings = query.overlap(of_a, of_b), by_cells = with_sheet.overlap(of_a, of_b);
+    BOOST_TEST(by_crossings.exact_volume == by_cells.exact_volume, "round " << round);
+    BOOST_TEST(by_crossings.exact_centroid == by_cells.exact_centroid, "round " << round);
+    general += by_crossings.volume > 0;
+  }
+  BOOST_TEST(general > 20);
+}
+
 BOOST_AUTO_TEST_CASE(what_has_no_solid_or_no_exact_sign_is_refused)
 {
   const Body cube(scenes::unit_cube()), open(scenes::without_last_face(scenes::unit_cube()));
@@ -502,7 +520,7 @@ BOOST_AUTO_TEST_CASE(blocks_stand_as_counting_says_in_every_frame)
 {
   scenes::Random random(46);
   std::map<Solid_relation, int> seen;
-  for (int round = 0; round < 700; ++round) {
+  for (int round = 0; round < 280; ++round) {
     Blocks a = random_blocks(random), b = random_blocks(random);
     const int kind = scenes::integer(random, 0, 8);
     if (kind == 0) b.cubes = a.cubes;
@@ -527,7 +545,7 @@ BOOST_AUTO_TEST_CASE(blocks_stand_as_counting_says_in_every_frame)
     }
   }
   BOOST_TEST(seen.size() == 8);
-  for (const auto& [relation, count] : seen) BOOST_TEST(count >= 15, relation << " " << count);
+  for (const auto& [relation, count] : seen) BOOST_TEST(count >= 5, relation << " " << count);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
