@@ -24,7 +24,7 @@ namespace tetracone::experiments {
 namespace {
 
 struct Options {
-  std::string file, csv, question = "solid", kernel = "adaptive", motion;
+  std::string file, csv, question = "solid", kernel = "adaptive", motion, within;
   bool json = false, time = false, relation = false;
   std::size_t memory = 0, threads = 1;
   std::int64_t budget = 0;
@@ -39,6 +39,7 @@ class Rows {
     if (!options.csv.empty())
       text_ = options.time              ? "frame,pairs,ns,candidates,queries,nodes_made,bytes\n"
               : !options.motion.empty() ? "frame,a,b,lo,hi\n"
+              : !options.within.empty() ? "frame,a,b,distance\n"
               : options.budget != 0     ? "frame,a,b,answer,at_most\n"
               : options.relation        ? "frame,a,b,relation,dimension\n"
                                         : "frame,a,b\n";
@@ -88,6 +89,27 @@ class Rows {
       for (const auto& [pair, first] : contacts)
         text_ += number + comma + std::to_string(pair.a) + comma + std::to_string(pair.b) + comma +
                  kernel::shortest(first.lo) + comma + kernel::shortest(first.hi) + "\n";
+    }
+    if (options_.csv.empty() && !options_.json) flush();
+  }
+
+  /// The pairs that are near in a frame.
+  void add(std::size_t frame, const Scene& scene, const std::vector<Scene_distance>& near, double ns)
+  {
+    const std::string number = std::to_string(frame);
+    if (options_.json) {
+      text_ += (frame == 0 ? "\n" : ",\n") + ("  {\"frame\": " + number) + ", \"near\": [";
+      for (const auto& [pair, distance] : near)
+        text_ += (&pair == &near.front().pair ? "" : ", ") + ("{\"pair\": " + in_brackets(pair)) +
+                 ", \"distance\": " + kernel::shortest(distance) + "}";
+      text_ += "]" + (options_.time ? json_costs(scene, ns) : "") + "}";
+    } else if (options_.time) {
+      text_ += row(number, scene, near.size(), ns);
+    } else {
+      const std::string comma = options_.csv.empty() ? " " : ",";
+      for (const auto& [pair, distance] : near)
+        text_ += number + comma + std::to_string(pair.a) + comma + std::to_string(pair.b) + comma +
+                 kernel::shortest(distance) + "\n";
     }
     if (options_.csv.empty() && !options_.json) flush();
   }
@@ -220,6 +242,12 @@ void run(const Options& options)
     throw CLI::ValidationError("--relation", "expected with --question solid");
   if (options.relation && query->kernel != Kernel::adaptive)
     throw CLI::ValidationError("--relation", "expected with --kernel adaptive");
+  if (options.relation && !options.within.empty())
+    throw CLI::ValidationError("--relation", "expected without --within");
+  if (!options.within.empty() && !kernel::parse_number(options.within))
+    throw CLI::ValidationError("--within " + options.within, "expected a decimal number or a fraction n/d");
+  if (!options.within.empty() && (moves || options.budget != 0))
+    throw CLI::ValidationError("--within", "expected without --motion and --budget");
   if (options.budget < 0) throw CLI::ValidationError("--budget", "expected nanoseconds, a number from 0");
 
   verify::Scene_file file(options.file, options.motion == "rigid");
@@ -248,11 +276,16 @@ void run(const Options& options)
       const std::vector<kernel::Pose> poses = file.frame(frame);
       const Stopwatch watch;
       for (std::size_t body = 0; body < poses.size(); ++body) scene.place(body, poses[body]);
-      const std::vector<Scene_pair>& pairs = scene.pairs();
-      std::vector<Solid_contact> relations;
-      if (options.relation)
-        for (const Scene_pair& pair : pairs) relations.push_back(scene.solid_relation(pair.a, pair.b));
-      rows.add(frame, scene, pairs, relations, watch.nanoseconds());
+      if (options.within.empty()) {
+        const std::vector<Scene_pair>& pairs = scene.pairs();
+        std::vector<Solid_contact> relations;
+        if (options.relation)
+          for (const Scene_pair& pair : pairs) relations.push_back(scene.solid_relation(pair.a, pair.b));
+        rows.add(frame, scene, pairs, relations, watch.nanoseconds());
+      } else {
+        const std::vector<Scene_distance> near = scene.pairs_within(options.within);
+        rows.add(frame, scene, near, watch.nanoseconds());
+      }
       progress.step();
     }
   } catch (const Error&) {
@@ -280,6 +313,10 @@ void add_scene_command(CLI::App& app)
   command->add_option("--budget", options->budget,
                       "Nanoseconds for a frame: pairs not decided then are lines `frame a b undecided D`, with the "
                       "bodies at most D from one another");
+  command->add_option(
+      "--within", options->within,
+      "Lines `frame a b distance` of the pairs at most so far apart, a decimal number (its double) or a "
+      "fraction n/d; the distance is 0 where they collide");
   command->add_option(
       "--motion", options->motion,
       "linear: bodies move from each frame to the next, every point on a line, and what meets has a line `frame a b lo "

@@ -23,7 +23,7 @@ struct Walk {
 };
 
 /// One way to ask: the fastest time of each stretch of poses, and what was said in the last pass.
-struct Asked {
+struct Walk_answers {
   Query query;
   std::vector<double> fastest_ns = {};
   std::vector<char> answers = {};
@@ -39,7 +39,7 @@ struct Asked {
 
 constexpr std::size_t stretch = 100;
 
-void ask(Asked& asked, const std::vector<kernel::Pose>& poses, std::size_t first, bool is_first_pass)
+void ask(Walk_answers& asked, const std::vector<kernel::Pose>& poses, std::size_t first, bool is_first_pass)
 {
   const kernel::Pose unmoved;
   const std::size_t last = std::min(first + stretch, poses.size());
@@ -53,20 +53,20 @@ void ask(Asked& asked, const std::vector<kernel::Pose>& poses, std::size_t first
 void add_walk(Csv_table& table, const Body& body, std::size_t triangles, const Walk& walk, Question question,
               std::uint64_t seed)
 {
-  Asked without{Query(body, body, question)}, with{Query(body, body, question, {.remember = true})};
+  Walk_answers without{Query(body, body, question)}, with{Query(body, body, question, {.remember = true})};
   constexpr int passes = 5;
   for (int pass = 0; pass < passes; ++pass) {
-    for (Asked* asked : {&without, &with}) {
+    for (Walk_answers* asked : {&without, &with}) {
       asked->answers.resize(walk.poses.size());
       asked->fastest_ns.resize(walk.poses.size() / stretch + 1);
       asked->query.clear_statistics();
     }
     // In turn, stretch by stretch, so that what slows the machine for a while slows both.
     for (std::size_t first = 0; first < walk.poses.size(); first += stretch)
-      for (Asked* asked : {&without, &with}) ask(*asked, walk.poses, first, pass == 0);
+      for (Walk_answers* asked : {&without, &with}) ask(*asked, walk.poses, first, pass == 0);
   }
   const double poses = double(walk.poses.size());
-  const auto tests = [poses](Asked& asked) { return double(asked.query.statistics().box_tests) / poses; };
+  const auto tests = [poses](Walk_answers& asked) { return double(asked.query.statistics().box_tests) / poses; };
   const auto hits = std::count(without.answers.begin(), without.answers.end(), 1);
   std::size_t differ = 0;
   for (std::size_t k = 0; k < walk.poses.size(); ++k) differ += without.answers[k] != with.answers[k];

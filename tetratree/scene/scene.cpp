@@ -56,6 +56,8 @@ std::vector<Scene_contact> Scene::first_contacts(std::span<const Pose> to)
   return data_->first_contacts(motions);
 }
 
+std::vector<Scene_distance> Scene::pairs_within(const std::string& limit) { return data_->pairs_within(limit); }
+
 const std::vector<Undecided_pair>& Scene::undecided() const { return data_->undecided(); }
 const Frame_statistics& Scene::statistics() const { return data_->statistics(); }
 

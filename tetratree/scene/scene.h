@@ -49,6 +49,12 @@ struct Scene_contact {
   First_contact first;  ///< the first time; its holders are of a, then of b
 };
 
+/// Two bodies of a scene that are near.
+struct Scene_distance {
+  Scene_pair pair;  ///< the bodies
+  double distance;  ///< the double nearest to their distance, 0 where they collide
+};
+
 /// The cost of a frame, or of a call of `first_contacts`.
 struct Frame_statistics {
   std::size_t moved = 0;       ///< number of bodies whose pose or model changed
@@ -121,6 +127,11 @@ class Scene {
   /// Returns `first_contacts` of motions on lines, from where the bodies stand to these poses. Throws Error as above,
   /// and for a body that is not placed.
   std::vector<Scene_contact> first_contacts(std::span<const Pose> to);
+
+  /// Returns the pairs of placed bodies that are at most `limit` apart, in order, compared as `Query::within` does.
+  /// Only pairs whose boxes are as near are tested; the budget does not apply. Throws Error as `pairs` and as
+  /// `Query::within`.
+  std::vector<Scene_distance> pairs_within(const std::string& limit);
 
   /// Returns the pairs that the budget left undecided in the last frame, in order.
   const std::vector<Undecided_pair>& undecided() const;

@@ -34,6 +34,7 @@ class Scene_data {
   const std::vector<Undecided_pair>& undecided() const { return near_.undecided(); }
   const Frame_statistics& statistics() const { return statistics_; }
   std::vector<Scene_contact> first_contacts(std::span<const Motion> motions);
+  std::vector<Scene_distance> pairs_within(const std::string& limit);
 
   /// Returns the numbers of the bodies that exist, ascending. Throws Error, about `what`, unless there are `count`.
   std::vector<std::size_t> present(std::size_t count, const std::string& what) const;
@@ -56,6 +57,8 @@ class Scene_data {
   using Motions = std::vector<const Motion*>;  // one for each body; null where the body does not exist
 
   std::vector<Scene_pair> meeting_pairs(const Motions& motion_of);
+  std::vector<Scene_pair> pairs_of_boxes(const std::vector<tetratree::World_box>& boxes,
+                                         const std::vector<Number>& bodies) const;
   std::optional<First_contact> first_contact(const Scene_pair& pair, const Motions& motion_of, Scene_worker& worker);
 
   Scene_bodies bodies_;

@@ -64,9 +64,16 @@ std::vector<Scene_pair> Scene_data::meeting_pairs(const Motions& motion_of)
         motion_of[moving[i]]->exact(),
         [&, &extent = models().extent(model)](const kernel::Pose& pose) { return worker.box(model, extent, pose); });
   });
+  return pairs_of_boxes(swept, moving);
+}
+
+/// Returns the pairs of these bodies whose boxes meet, except the ignored ones.
+std::vector<Scene_pair> Scene_data::pairs_of_boxes(const std::vector<tetratree::World_box>& boxes,
+                                                   const std::vector<Number>& bodies) const
+{
   tetratree::Box_tree tree;
-  tree.build(swept, moving);
-  for (const Number body : moving) tree.mark(body);
+  tree.build(boxes, bodies);
+  for (const Number body : bodies) tree.mark(body);
   std::vector<Scene_pair> pairs;
   for (const auto& part : tree.parts(1))
     tree.for_meeting(part, [&](Number a, Number b) {

@@ -56,6 +56,15 @@ struct World_box {
     return larger;
   }
 
+  /// Returns a box that holds all points at most `distance` from this one, whatever is rounded.
+  World_box reached(double distance) const
+  {
+    double largest = distance;
+    for (int k = 0; k < 3; ++k) largest = kernel::maximum(largest, double(-low[k]), double(high[k]));
+    for (int k = 0; k < 3; ++k) largest = kernel::maximum(largest, double(low[k]), double(-high[k]));
+    return grown(distance + 0x1p-50 * largest);
+  }
+
   /// Returns the least box about both.
   World_box joined(const World_box& other) const
   {

@@ -46,6 +46,19 @@ BOOST_AUTO_TEST_CASE(a_pair_has_a_line_and_a_frame_has_a_row)
   BOOST_TEST(contains(run(ask + " --budget 1 --csv /dev/stdout").out, ",undecided,"));
 }
 
+BOOST_AUTO_TEST_CASE(pairs_within_a_distance_have_a_line_with_it)
+{
+  const Temporary_file file("touch.scene.json", scene(two_frames));
+  const std::string ask = "scene " + in_quotes(file.path());
+  BOOST_TEST(run(ask + " --within 3").out == "0 0 1 0\n0 1 2 3\n1 0 1 1e-20\n1 0 2 0.5\n1 1 2 0\n");
+  BOOST_TEST(run(ask + " --within 0 --threads 2").out == "0 0 1 0\n1 1 2 0\n");
+  BOOST_TEST(run(ask + " --within 1/100000000000000000000").out == "0 0 1 0\n1 0 1 1e-20\n1 1 2 0\n");
+  BOOST_TEST(run(ask + " --within 1/100000000000000000001").out == "0 0 1 0\n1 1 2 0\n");
+  BOOST_TEST(run(ask + " --within 0 --csv /dev/stdout").out == "frame,a,b,distance\n0,0,1,0\n1,1,2,0\n");
+  check_refused(ask + " --within x", "--within x: expected a decimal number");
+  check_refused(ask + " --within 1 --budget 5", "expected without --motion and --budget");
+}
+
 BOOST_AUTO_TEST_CASE(what_meets_between_frames_has_a_line_in_order_of_time)
 {
   // From 5 to 1.5 the last cube meets the second, which is 10^-20 further than at first, at t = 6/7.
