@@ -85,8 +85,8 @@ std::vector<Ray_hit> as_in_file(const Ray& ray, const std::vector<Ray_hit>& hits
 }
 
 /// The words of a hit: the face of the file, t, and what the options add.
-std::vector<std::string> words_of(const Ray& ray, const Ray_hit& hit, const Model_file& model,
-                                  const Ray_options& options)
+std::vector<std::string> hit_words(const Ray& ray, const Ray_hit& hit, const Model_file& model,
+                                   const Ray_options& options)
 {
   std::vector<std::string> words = {std::to_string(model.source_face[hit.face]), kernel::shortest(hit.t)};
   if (options.sides) words.emplace_back(to_string(model.body.crossing(ray, hit.face)));
@@ -150,7 +150,7 @@ void run_ray(const Ray_options& options)
       csv += std::to_string(k) + ",-" + std::string(columns - 1, ',') + ns + "\n";
     }
     for (std::size_t h = 0; h < hits.size(); ++h) {
-      const auto words = words_of(ray, hits[h], model, options);
+      const auto words = hit_words(ray, hits[h], model, options);
       text += (h == 0 ? "" : " ") + joined(words, " ");
       csv += std::to_string(k) + "," + joined(words, ",") + ns + "\n";
     }
