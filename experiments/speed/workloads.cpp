@@ -65,8 +65,8 @@ Workload on_trajectory(Objects& objects, const std::string& trajectory, const st
 
 Pose rounded(const Pose& pose) { return Pose(pose.entries()); }
 
-/// Puts both bodies under one random rigid map R and moves B by a shift in A's frame: poses R and R o shift. If `exact`,
-/// R is the rotation of an integer quaternion, then an offset of fractions, and the contact in A's frame is kept
+/// Puts both bodies under one random rigid map R and moves B by a shift in A's frame: poses R and R o shift. R is the
+/// rotation of an integer quaternion, then an offset of fractions. If `exact`, the contact in A's frame is kept
 /// exactly. Otherwise both poses are rounded to doubles.
 void add_poses(Workload& w, Random& random, const Shift& shift, bool exact)
 {

@@ -1,7 +1,8 @@
 #ifndef TETRACONE_KERNEL_NUMBER_FIXED_INTEGER_H
 #define TETRACONE_KERNEL_NUMBER_FIXED_INTEGER_H
 
-#include <algorithm>
+#include "tetracone/kernel/number/floating_point.h"
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -155,11 +156,11 @@ struct Fixed_numbers {
     Fixed_numbers fixed;
     int lowest = Binary_number<from>::too_wide;
     for (const auto& x : numbers)
-      if (x.bits != 0) lowest = std::min(lowest, x.exponent);
+      if (x.bits != 0) lowest = minimum(lowest, x.exponent);
     for (std::size_t k = 0; k < count; ++k) {
       const Binary_number<from>& x = numbers[k];
       if (x.bits == 0) continue;
-      fixed.bits = std::max(fixed.bits, x.bits + x.exponent - lowest);
+      fixed.bits = maximum(fixed.bits, x.bits + x.exponent - lowest);
       if (fixed.bits >= 64 * limbs) return {{}, 0, Binary_number<from>::too_wide};
       fixed.integer[k] = Fixed_integer<limbs>(x.integer) << (x.exponent - lowest);
     }

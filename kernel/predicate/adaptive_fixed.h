@@ -120,12 +120,12 @@ class Adaptive_fixed : public Adaptive_points {
           exponent[n] += weight_[k]->exponent;
           bits[n] += weight_[k]->bits;
         }
-        lowest = std::min(lowest, exponent[n]);
+        lowest = minimum(lowest, exponent[n]);
       }
       for (std::size_t n = 0; n < count; ++n) {
         if (bits[n] == 0) continue;
         shift_[n] = exponent[n] - lowest;
-        bits_ = std::max(bits_, bits[n] + shift_[n]);
+        bits_ = maximum(bits_, bits[n] + shift_[n]);
       }
     }
 
@@ -208,7 +208,7 @@ class Adaptive_fixed : public Adaptive_points {
     return moved(point.vertex, map_of(*point.pose));
   }
 
-  /// Returns the map of a pose. Of doubles it is made once while the thread asks for two poses in turn.
+  /// Returns the map of a pose. A map of doubles is made once while the thread asks for two poses in turn.
   static const Fixed_map& map_of(const Pose& pose)
   {
     struct Made {
@@ -233,9 +233,9 @@ class Adaptive_fixed : public Adaptive_points {
     const Fixed_numbers<3>& t = map.translation;
     // A row is a sum of four terms, below four times the largest.
     const int of_products = m.exponent + v.exponent;
-    const int lowest = t.bits == 0 ? of_products : v.bits == 0 ? t.exponent : std::min(of_products, t.exponent);
+    const int lowest = t.bits == 0 ? of_products : v.bits == 0 ? t.exponent : minimum(of_products, t.exponent);
     const int shift = v.bits == 0 ? 0 : of_products - lowest, shift_t = t.bits == 0 ? 0 : t.exponent - lowest;
-    Fixed_image image{{}, lowest, std::max(v.bits == 0 ? 0 : m.bits + v.bits + shift, t.bits + shift_t) + 2};
+    Fixed_image image{{}, lowest, maximum(v.bits == 0 ? 0 : m.bits + v.bits + shift, t.bits + shift_t) + 2};
     if (image.bits > most_bits) return image;
     // Three products of one limb each fit in two.
     const bool is_narrow = m.bits <= 62 && v.bits <= 62;

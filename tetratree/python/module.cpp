@@ -23,8 +23,8 @@ PYBIND11_MODULE(_tetracone, module)
     }
   });
   module.attr("__version__") = TETRACONE_VERSION;
+  tetracone::python::add_contacts(module);  // before the class whose signatures name it
   tetracone::python::add_body(module);
-  tetracone::python::add_contacts(module);
   tetracone::python::add_query(module);
   tetracone::python::add_scene(module);
 }

@@ -84,13 +84,13 @@ class Bvh8_rays {
     while (advance()) continue;
     if (end < no_end) std::erase_if(met_, [this](Met& m) { return !is_before_end(m); });
     std::sort(met_.begin(), met_.end(), [](const Met& x, const Met& y) { return x.low < y.low; });
-    for (std::size_t begin = 0, end; begin < met_.size(); begin = end) {
+    for (std::size_t begin = 0, past; begin < met_.size(); begin = past) {
       double high = met_[begin].high;
-      for (end = begin + 1; end < met_.size() && met_[end].low <= high; ++end)
-        high = kernel::maximum(high, met_[end].high);
-      if (end == begin + 1) continue;
-      for (std::size_t k = begin; k < end; ++k) make_exact(met_[k]);
-      std::sort(met_.begin() + std::ptrdiff_t(begin), met_.begin() + std::ptrdiff_t(end), is_before);
+      for (past = begin + 1; past < met_.size() && met_[past].low <= high; ++past)
+        high = kernel::maximum(high, met_[past].high);
+      if (past == begin + 1) continue;
+      for (std::size_t k = begin; k < past; ++k) make_exact(met_[k]);
+      std::sort(met_.begin() + std::ptrdiff_t(begin), met_.begin() + std::ptrdiff_t(past), is_before);
     }
     std::vector<Ray_hit> hits;
     for (Met& m : met_) hits.push_back(hit(m));

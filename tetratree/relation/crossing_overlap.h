@@ -92,10 +92,10 @@ class Crossing_overlap {
       const int edge = std::countr_zero(unsigned(body == 0 ? corner.on_p : corner.on_q));
       Cut_face& own = *cut[body];
       const auto& corners = own.triangle.corner;
-      kernel::Integer_crossing crossing(corners[edge], corners[(edge + 1) % 3], cut[1 - body]->triangle);
+      kernel::Integer_crossing found(corners[edge], corners[(edge + 1) % 3], cut[1 - body]->triangle);
       own.is_crossed[edge] = true;
-      if (edge == 1) (crossing.enters ? own.entering : own.leaving).push_back(crossing.share);
-      return crossing;
+      if (edge == 1) (found.enters ? own.entering : own.leaving).push_back(found.share);
+      return found;
     };
     const kernel::Integer_crossing x = crossing(piece.by_signs.corners[0]), y = crossing(piece.by_signs.corners[1]);
     cones_.add_contact(cut[0]->triangle, cut[1]->triangle, x, y);

@@ -95,12 +95,12 @@ class Solid_pair {
       note_lone_edges(body);
       if (found_.is_overlap()) return kernel::Solid_relation::overlap;
     }
-    const auto [interiors_meet, sticks_out, meets_border] = found_;
+    const auto& [interiors_meet, shares_point, sticks_out, meets_border] = found_;
     using enum kernel::Solid_relation;
     if (!sticks_out[0] && !sticks_out[1]) return equal;
     if (!sticks_out[0]) return meets_border[0] ? covered_by : inside;
     if (!sticks_out[1]) return meets_border[1] ? covers : contains;
-    return pieces_.empty() ? disjoint : meet;
+    return pieces_.empty() && !shares_point ? disjoint : meet;
   }
 
   /// Returns how much the solids overlap and touch.
@@ -147,8 +147,8 @@ class Solid_pair {
   {
     for (const auto& [f, pieces] : pieces_of_[body]) {
       if (!solid_[body].face(f).has_plane()) continue;
-      const auto whats_next = [&](const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
-        return what(f, cells, seen);
+      const auto whats_next = [&what, face = f](const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
+        return what(face, cells, seen);
       };
       if (!for_cells(body, f, pieces, whats_next)) return;
     }
@@ -189,6 +189,7 @@ class Solid_pair {
   /// What the cells tell, as far as they have been looked at.
   struct Found {
     bool interiors_meet = false;
+    bool shares_point = false;           ///< a part of one surface lies in the other solid, and may have no area
     std::array<bool, 2> sticks_out{};    ///< a point of this body is outside the other
     std::array<bool, 2> meets_border{};  ///< a point of this body's surface is no inner point of the other
 
@@ -226,8 +227,8 @@ class Solid_pair {
     Placed_solid &own = solid_[body], &other = solid_[1 - body];
     const Rational_face& face = own.face(f);
     const bool is_up = face.normal()[cells.axis()] > 0;
-    const auto along_axis = [](Normal_sides sides, bool is_up) {
-      if (!is_up) std::swap(sides.along, sides.against);
+    const auto along_axis = [](Normal_sides sides, bool points_up) {
+      if (!points_up) std::swap(sides.along, sides.against);
       return sides;
     };
     const Rational_point x = cells.inner_point(c);
@@ -320,6 +321,7 @@ class Solid_pair {
       found_.sticks_out[body] = true;
       return;
     }
+    found_.shares_point = true;
     for (const Index f : part.faces) {
       const Solid_sides::Face_sides& sides = solid_[body].sides().of(f);
       if (sides.any_in) found_.interiors_meet = true;
@@ -389,7 +391,7 @@ class Solid_pair {
 
   void note_lone_point(int body, const Rational_point& x)
   {
-    if (solid_[1 - body].locate(x) == covering::Location::outside) found_.sticks_out[body] = true;
+    (solid_[1 - body].locate(x) == covering::Location::outside ? found_.sticks_out[body] : found_.shares_point) = true;
   }
 
   /// True when x is in or beside the area of the face, or of one that meets it.

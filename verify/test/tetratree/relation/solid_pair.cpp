@@ -183,6 +183,14 @@ BOOST_AUTO_TEST_CASE(faces_without_area_are_points_of_the_solid)
   BOOST_TEST(text_of(spiked, scenes::cube(2)) == "covered_by 0");
   BOOST_TEST(text_of(spiked, box_at({1.5, 1.5, 1.5}, {4, 4, 4})) == "meet 0");
   BOOST_TEST(text_of(spiked, box_at({2, 2, 2}, {4, 4, 4})) == "meet 0");
+  // A face that is a point, and a sheet, lie inside the other solid, away from its surface.
+  const Polyhedron far = box_at({9, 9, 9}, {1, 1, 1}), around = scenes::cube(2);
+  Polyhedron pointed = far;
+  pointed.vertices.push_back({0.5, 0.5, 0.5});
+  pointed.add_polygon({8, 8});
+  BOOST_TEST(text_of(pointed, around) == "meet -1");
+  BOOST_TEST(text_of(around, pointed) == "meet -1");
+  BOOST_TEST(text_of(both(far, sheet({0, 0, 0}, 1)), around) == "meet -1");
   Polyhedron within = scenes::unit_cube();
   within.vertices.push_back({0.5, 0.5, 0.5});
   within.add_polygon({7, 8});

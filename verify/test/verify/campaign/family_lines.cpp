@@ -21,7 +21,7 @@ BOOST_AUTO_TEST_CASE(every_family_has_its_line_and_is_described)
     BOOST_TEST(line.what.size() >= 6, line.name);
     BOOST_TEST(line.parameter.empty() == line.sweep.empty(), line.name);
   }
-  for (const auto& [name, levels] : {std::pair{"sliver", "predicate object features contacts distances"},
+  for (const auto& [name, levels] : {std::pair{"sliver", "predicate object features contacts distances relations"},
                                      {"parallel", "distances"},
                                      {"ray-in-plane", "rays"},
                                      {"motion-rolling", "motions"}}) {
