@@ -101,6 +101,9 @@ class Point_locator {
   /// Returns the location of a rational point.
   Location locate(const std::array<kernel::Rational, 3>& point) const
   {
+    // A pose has no such entries, and a body no vertices beyond the largest double.
+    for (const kernel::Rational& x : point)
+      if (!std::isfinite(kernel::nearest_double(x))) return Location::outside;
     const kernel::Pose translation(
         std::array<kernel::Rational, 12>{1, 0, 0, point[0], 0, 1, 0, point[1], 0, 0, 1, point[2]});
     kernel::Local_point at;

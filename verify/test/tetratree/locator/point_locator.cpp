@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <thread>
 #include <vector>
 
@@ -77,6 +78,20 @@ BOOST_AUTO_TEST_CASE(fractions_are_located_as_they_are)
     BOOST_TEST(int(locator.locate(p)) == expected);
   }
   for (const long a : answers) BOOST_TEST(a > 20);
+}
+
+BOOST_AUTO_TEST_CASE(fractions_beyond_the_largest_double_are_outside)
+{
+  constexpr double most = std::numeric_limits<double>::max();
+  const Model model(scenes::box({-most, 0, 0}, {most, 1, 1}));
+  const Point_locator locator(model);
+  const auto at = [&](const Rational& x) {
+    return locator.locate(std::array<Rational, 3>{x, Rational(1, 2), Rational(1, 2)});
+  };
+  using tetracone::covering::Location;
+  BOOST_TEST((at(Rational(most)) == Location::on_surface));
+  BOOST_TEST((at(Rational(most) / 3) == Location::inside));
+  for (const int sign : {-1, 1}) BOOST_TEST((at(sign * 5 * Rational(most)) == Location::outside));
 }
 
 BOOST_AUTO_TEST_CASE(a_star_shaped_body_asks_signs_near_its_surface_alone)
