@@ -13,19 +13,15 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const std::string cube_off =
-    "OFF\n8 6 0\n0 0 0\n0 0 1\n0 1 0\n0 1 1\n1 0 0\n1 0 1\n1 1 0\n1 1 1\n4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n"
-    "4 0 2 6 4\n4 1 5 7 3\n";
 const std::string poses =
     "1 0 0 1.5 0 1 0 2.25 0 0 1 0.25\n3/5 -4/5 0 1 4/5 3/5 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n"
     "0.25 0 0 0.5 0 0.25 0 0.5 0 0 0.25 0.5\n1 0 0 1/3 0 1 0 0 0 0 1 0\n";
 
 struct Files {
-  Temporary_file cube{"cube.off", cube_off}, poses_b{"poses", poses};
+  Temporary_file poses_b{"poses", poses};
   std::string words() const
   {
-    return "relation " + in_quotes(cube.path()) + " " + in_quotes(cube.path()) + " --pose-b " +
-           in_quotes(poses_b.path());
+    return "relation " + in_quotes(cube) + " " + in_quotes(cube) + " --pose-b " + in_quotes(poses_b.path());
   }
 };
 
@@ -66,14 +62,13 @@ BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused_in_one_line)
     BOOST_TEST(r.out.empty());
   }
   const Temporary_file open("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  BOOST_TEST(run("relation " + in_quotes(files.cube.path()) + " " + in_quotes(open.path())).status == 2);
+  BOOST_TEST(run("relation " + in_quotes(cube) + " " + in_quotes(open.path())).status == 2);
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_tells_relations_too)
 {
-  const Files files;
   const Temporary_file scene("s.scene.json",
-                             "{\"models\": {\"c\": " + Json(files.cube.path().string()).dump() +
+                             "{\"models\": {\"c\": " + Json(cube).dump() +
                                  "}, \"bodies\": [{\"model\": \"c\"}, {\"model\": \"c\"}, {\"model\": \"c\"}], "
                                  "\"frames\": [[[1,0,0,0,0,1,0,0,0,0,1,0], [1,0,0,1,0,1,0,0,0,0,1,0], "
                                  "[1,0,0,1.5,0,1,0,1,0,0,1,1]]]}");
