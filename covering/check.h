@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -195,14 +194,10 @@ inline void check_faces(const Polyhedron& polyhedron, Check& result)
 /// Returns the vertices with the coordinates of an earlier one, ascending.
 inline std::vector<Index> repeated_vertices(const std::vector<Vertex>& vertices)
 {
-  std::vector<Index> order(vertices.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::sort(order,
-                    [&](Index a, Index b) { return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b; });
+  const std::vector<Index> least = least_equal_vertices(vertices);
   std::vector<Index> repeated;
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (vertices[order[k]] == vertices[order[k - 1]]) repeated.push_back(order[k]);
-  std::ranges::sort(repeated);
+  for (Index v = 0; v < vertices.size(); ++v)
+    if (least[v] != v) repeated.push_back(v);
   return repeated;
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -163,6 +164,20 @@ struct Face_triangle {
   Index face;                   ///< the face that it is part of
   std::array<Index, 3> corner;  ///< numbers of vertices, in the face's direction
 };
+
+/// Returns for each vertex the least number of a vertex of equal coordinates.
+inline std::vector<Index> least_equal_vertices(const std::vector<Vertex>& vertices)
+{
+  std::vector<Index> order(vertices.size()), least(vertices.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::ranges::sort(order,
+                    [&](Index v, Index w) { return vertices[v] != vertices[w] ? vertices[v] < vertices[w] : v < w; });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool repeats = k > 0 && vertices[order[k]] == vertices[order[k - 1]];
+    least[order[k]] = repeats ? least[order[k - 1]] : order[k];
+  }
+  return least;
+}
 
 /// Returns the polyhedron of all vertices, whose faces are the triangles, and the faces that have none.
 inline Polyhedron each_triangle_a_face(const Polyhedron& polyhedron, std::span<const Face_triangle> triangles)

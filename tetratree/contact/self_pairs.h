@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -23,18 +22,9 @@ class Self_pairs {
  public:
   using K = kernel::Adaptive;
 
-  explicit Self_pairs(const covering::Model<K>& model) : model_(model), twin_(model.vertices().size())
-  {
-    const auto& vertices = model.vertices();
-    std::vector<Index> order(vertices.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::ranges::sort(order,
-                      [&](Index v, Index w) { return vertices[v] != vertices[w] ? vertices[v] < vertices[w] : v < w; });
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const bool repeats = k > 0 && vertices[order[k]] == vertices[order[k - 1]];
-      twin_[order[k]] = repeats ? twin_[order[k - 1]] : order[k];
-    }
-  }
+  explicit Self_pairs(const covering::Model<K>& model)
+      : model_(model), twin_(covering::least_equal_vertices(model.vertices()))
+  {}
 
   /// True when signs of corners prove that the pair is proper; false where they do not.
   ///

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -53,11 +52,11 @@ class Solid_sides {
   };
 
   /// Requires a closed polyhedron, and its tree with a face for each element.
-  Solid_sides(const Bvh8& tree, const covering::Polyhedron& polyhedron) : polyhedron_(&polyhedron)
+  Solid_sides(const Bvh8& tree, const covering::Polyhedron& polyhedron)
+      : polyhedron_(&polyhedron), place_(covering::least_equal_vertices(polyhedron.vertices))
   {
     const Index faces = Index(polyhedron.face_count());
     faces_.resize(faces);
-    number_places();
     for (Index f = 0; f < faces; ++f) {
       faces_[f].is_plain = polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f).has_value();
       if (!faces_[f].is_plain) uneven_.push_back(f);
@@ -73,9 +72,9 @@ class Solid_sides {
   /// True when every face is plain, parts the solid from its outside, and has a neighbour of its patch at each edge.
   bool is_simple() const { return is_simple_; }
 
-  /// Returns the number of the place of a vertex. Vertices of equal coordinates have one place.
+  /// Returns the place of a vertex, a number below `place_count`. Vertices of equal coordinates have one place.
   Index place(Index v) const { return place_[v]; }
-  Index place_count() const { return place_count_; }
+  std::size_t place_count() const { return place_.size(); }
 
   /// Returns the faces that are not triangles with area: no tree of triangles leads to them.
   std::span<const Index> uneven() const { return uneven_; }
@@ -88,17 +87,6 @@ class Solid_sides {
   }
 
  private:
-  void number_places()
-  {
-    const auto& vertices = polyhedron_->vertices;
-    std::vector<Index> order(vertices.size());
-    std::iota(order.begin(), order.end(), Index(0));
-    std::ranges::sort(order, {}, [&](Index v) -> const covering::Vertex& { return vertices[v]; });
-    place_.resize(vertices.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-      place_[order[k]] = k > 0 && vertices[order[k - 1]] == vertices[order[k]] ? place_count_ - 1 : place_count_++;
-  }
-
   /// Finds the pairs of faces that meet elsewhere than in a vertex or an edge of both.
   void find_cutters(const Bvh8& tree)
   {
@@ -196,10 +184,9 @@ class Solid_sides {
   }
 
   const covering::Polyhedron* polyhedron_;
+  std::vector<Index> place_;
   std::vector<Face_sides> faces_;
   std::map<Index, std::vector<Index>> cutters_;
-  std::vector<Index> place_;
-  Index place_count_ = 0;
   std::vector<Index> uneven_;
   bool is_simple_ = false;
 };
