@@ -67,7 +67,8 @@ class Adaptive : public Adaptive_filter,
     return unfiltered_difference_sign(a, b, axis);
   }
 
-  /// Returns `volume_sign` of a, b, c with each of three points, of which the filter leaves two or more undecided.
+  /// Returns `volume_sign` of a, b, c with each of three points, of which the filter leaves two or more undecided. The
+  /// fixed stage decides all three at once, and counts them.
   [[gnu::noinline]] static std::array<CGAL::Sign, 3> unfiltered_sides(const Point_3& a, const Point_3& b,
                                                                       const Point_3& c,
                                                                       const std::array<const Point_3*, 3>& d)

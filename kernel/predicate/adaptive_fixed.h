@@ -16,8 +16,8 @@
 namespace tetracone::kernel {
 
 /// The fixed stage: the expression in integers of a fixed width, exactly and without allocation. Images are whole
-/// multiples of one power of two, unless exponents are far apart or fractions have many digits: these are undecided. A
-/// sign takes no longer than in double-double, and is always decided.
+/// multiples of one power of two. A sign is undecided only where they are too wide for that: where exponents are far
+/// apart, or fractions have many digits. It takes no longer than in double-double.
 class Adaptive_fixed : public Adaptive_points {
  public:
   /// Upper bound of the bits of a coordinate of which the signs are computed, once all points have one exponent. See

@@ -29,7 +29,8 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
 }
 
 /// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points. The
-/// points that it leaves undecided are decided by the other stages, and only these are counted (`Stage_counts`).
+/// other stages decide a point that it leaves undecided, and all three where it leaves two or more. These are counted
+/// (`Stage_counts`).
 template <>
 inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {

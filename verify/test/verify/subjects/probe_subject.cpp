@@ -17,16 +17,16 @@ BOOST_AUTO_TEST_CASE(exact_subjects_place_points_right_and_double_does_not)
 {
   for (const Point_subject& subject : point_subjects()) {
     const auto ask = subject.make();
-    int wrong = 0;
+    int wrong = 0, asked = 0;
     for (const Probe_family& family : point_families())
-      for (std::uint64_t k = 0; k < 32; k += 3) {
-        const Probe_case c = family.probe_case(11, k);
+      for (std::uint64_t k = 0; k < 32; k += 3, ++asked) {
+        const Probe_case c = family.probe_case(2, k);
         const auto place = (*ask)(c);
         BOOST_TEST((place.outcome == Outcome::yes), subject.name);
         wrong += place.answer != integer_truth::Probed_body(*c.body).where(c.from);
       }
     if (subject.is_exact) BOOST_TEST(wrong == 0, subject.name);
-    if (subject.name == "double covering") BOOST_TEST(wrong > 0);
+    if (subject.name == "double covering") BOOST_TEST(wrong > asked / 50);
   }
 }
 
@@ -34,9 +34,9 @@ BOOST_AUTO_TEST_CASE(exact_subjects_meet_faces_right_and_double_does_not)
 {
   for (const Ray_subject& subject : ray_subjects()) {
     const auto ask = subject.make();
-    int wrong = 0;
+    int wrong = 0, asked = 0;
     for (const Probe_family& family : ray_families())
-      for (std::uint64_t k = 0; k < 32; k += 3) {
+      for (std::uint64_t k = 0; k < 32; k += 3, ++asked) {
         const Probe_case c = family.probe_case(11, k);
         const auto told = (*ask)(c);
         const auto& [first, all] = told.answer;
