@@ -65,9 +65,11 @@ std::string fields(const Relation_row& row, const Relation_options& options, cha
   std::string text(to_string(row.contact.relation));
   text += blank + (row.contact.dimension < 0 ? "-" : std::to_string(row.contact.dimension));
   if (!options.measures()) return text;
-  text += blank + (options.exact ? row.overlap.exact_volume : kernel::shortest(row.overlap.volume));
+  std::array<std::string, 3> exact_centroid;
+  if (options.exact && with_centroid) exact_centroid = row.overlap.exact_centroid();
+  text += blank + (options.exact ? row.overlap.exact_volume() : kernel::shortest(row.overlap.volume));
   for (std::size_t k = 0; k < 3 && with_centroid; ++k)
-    text += blank + (options.exact ? row.overlap.exact_centroid[k] : kernel::shortest(row.overlap.centroid[k]));
+    text += blank + (options.exact ? exact_centroid[k] : kernel::shortest(row.overlap.centroid[k]));
   return text;
 }
 
@@ -80,9 +82,9 @@ Json object(std::size_t pose, const Relation_row& row, const Relation_options& o
   };
   const Overlap& overlap = row.overlap;
   if (options.exact) {
-    object["volume"] = overlap.exact_volume;
-    object["centroid"] = overlap.exact_centroid;
-    object["contact_vector"] = overlap.exact_contact_vector;
+    object["volume"] = overlap.exact_volume();
+    object["centroid"] = overlap.exact_centroid();
+    object["contact_vector"] = overlap.exact_contact_vector();
   } else if (options.volume) {
     object["volume"] = json_number(overlap.volume);
     object["centroid"] = numbers(overlap.centroid);

@@ -55,6 +55,35 @@ struct Volume_moment {
   }
 };
 
+/// A fraction that may have a common factor. `bottom` is not 0.
+struct Wide_fraction {
+  mpz_class top = 0, bottom = 1;
+
+  Wide_fraction() = default;
+  Wide_fraction(mpz_class top, mpz_class bottom) : top(std::move(top)), bottom(std::move(bottom)) {}
+  Wide_fraction(const Rational& x) : top(x.get_num()), bottom(x.get_den()) {}
+
+  /// Divides the common factor out.
+  Rational reduced() const
+  {
+    Rational fraction(top, bottom);
+    fraction.canonicalize();
+    return fraction;
+  }
+};
+
+/// The volume and the centroid of a solid. The centroid means nothing where the volume is 0.
+struct Exact_solid {
+  Wide_fraction volume;
+  std::array<Wide_fraction, 3> centroid;
+
+  Exact_solid() = default;
+  explicit Exact_solid(const Volume_moment& sums) : volume(sums.volume)
+  {
+    for (int k = 0; k < 3 && sums.volume != 0; ++k) centroid[k] = Rational(sums.moment[k] / sums.volume);
+  }
+};
+
 /// The cones over triangles of rational points.
 class Rational_cones {
  public:

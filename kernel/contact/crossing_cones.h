@@ -5,120 +5,212 @@
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/rational_face.h"
 
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
+/// The cones over the common parts of the faces of two solids, over a number type N: integers, whose sums are exact, or
+/// intervals, whose sums are enclosures. Intervals require upward rounding, and throw
+/// `CGAL::Uncertain_conversion_exception` for a sign that they do not tell.
 namespace tetracone::kernel {
 
-using Integer_point = std::array<mpz_class, 3>;  ///< also a vector
+using Interval = CGAL::Interval_nt_advanced;
 
-/// A triangle in integers, a scale times its coordinates. `outward` is 1 where its corners are anticlockwise as seen
-/// from outside its solid, else -1.
-struct Integer_triangle {
-  std::array<Integer_point, 3> corner;
+inline int certain_sign(const mpz_class& x) { return sgn(x); }
+inline int certain_sign(const Interval& x) { return CGAL::make_certain(CGAL::sign(x)); }
+
+/// A triangle. `outward` is 1 where its corners are anticlockwise as seen from outside its solid, else -1.
+template <class N>
+struct Cone_triangle {
+  std::array<Number_point<N>, 3> corner;
   int outward;
 
   /// Returns a normal towards the outside.
-  Integer_point normal() const
+  Number_point<N> normal() const
   {
-    Integer_point n = detail::product(detail::step(corner[0], corner[1]), detail::step(corner[0], corner[2]));
-    for (mpz_class& x : n) x *= outward;
-    return n;
+    const Number_point<N> n = detail::product(detail::step(corner[0], corner[1]), detail::step(corner[0], corner[2]));
+    return outward > 0 ? n : Number_point<N>{N(-n[0]), N(-n[1]), N(-n[2])};
   }
 };
 
 /// The point where an edge goes through the inside of a triangle: `top / bottom`.
-struct Integer_crossing {
-  Integer_point top;
-  mpz_class bottom;  ///< positive
-  Rational share;    ///< of the edge that lies before the point
-  bool enters;       ///< whether the edge enters the triangle's solid there
+template <class N>
+struct Edge_crossing {
+  Number_point<N> top;
+  N bottom;     ///< positive
+  N part;       ///< `part / bottom` is the share of the edge that lies before the point
+  bool enters;  ///< whether the edge enters the triangle's solid there
+  std::uint32_t number = 0;  ///< of the edge, in either direction, and the triangle
 
   /// Requires an edge whose ends are on different sides of the triangle's plane.
-  Integer_crossing(const Integer_point& from, const Integer_point& to, const Integer_triangle& triangle)
+  Edge_crossing(const Number_point<N>& from, const Number_point<N>& to, const Cone_triangle<N>& triangle)
   {
-    const Integer_point n = triangle.normal(), whole = detail::step(from, to);
-    mpz_class part = detail::inner(n, detail::step(from, triangle.corner[0]));
+    const Number_point<N> n = triangle.normal(), whole = detail::step(from, to);
+    part = detail::inner(n, detail::step(from, triangle.corner[0]));
     bottom = detail::inner(n, whole);
-    enters = bottom < 0;
+    enters = certain_sign(bottom) < 0;
     if (enters) {
       bottom = -bottom;
       part = -part;
     }
     for (int k = 0; k < 3; ++k) top[k] = from[k] * bottom + part * whole[k];
-    share = Rational(part, bottom);
-    share.canonicalize();
   }
 };
 
-/// The cones over the common parts of the faces of two solids, of which each contact is a proper crossing: the volume
-/// of the overlap, less the cones over faces that no other face meets.
+/// A sum of volumes times 6 and of moments times 24.
+template <class N>
+class Cone_sums;
+
+template <>
+class Cone_sums<Interval> {
+ public:
+  /// Adds volume / bottom and moment / bottom^2, where `bottom` is the product of those of the crossings.
+  void add(std::initializer_list<const Edge_crossing<Interval>*> /*crossings*/, const Interval& bottom,
+           const Interval& volume, const Number_point<Interval>& moment)
+  {
+    this->volume += volume / bottom;
+    for (std::size_t k = 0; k < 3; ++k) this->moment[k] += moment[k] / CGAL::square(bottom);
+  }
+
+  Interval volume = 0;
+  Number_point<Interval> moment = {0, 0, 0};
+};
+
+/// Terms are added in pairs, then pairs of pairs, so that terms of many digits meet late. A denominator is the product
+/// of the crossings that its terms know, each once. Other common factors are divided out at the end.
+template <>
+class Cone_sums<mpz_class> {
+ public:
+  /// Adds volume / bottom and moment / bottom^2, where `bottom` is the product of those of the crossings.
+  void add(std::initializer_list<const Edge_crossing<mpz_class>*> crossings, mpz_class bottom, mpz_class volume,
+           Number_point<mpz_class> moment)
+  {
+    std::vector<Factor> factors;
+    for (const Edge_crossing<mpz_class>* x : crossings) factors.emplace_back(x->number, x->bottom);
+    std::ranges::sort(factors, {}, &Factor::first);
+    terms_.push_back({std::move(factors), std::move(bottom), std::move(volume), std::move(moment)});
+    for (std::size_t n = ++count_; n % 2 == 0; n /= 2) add_last_two();
+  }
+
+  /// Returns the volume and the centroid, where coordinates are `scale` times the true ones and `more` is added.
+  Exact_solid value(const mpz_class& scale, const Volume_moment& more)
+  {
+    if (terms_.empty()) add({}, 1, 0, {0, 0, 0});
+    while (terms_.size() > 1) add_last_two();
+    count_ = 1;
+    const auto& [factors, bottom, volume, moment] = terms_[0];
+    mpz_class of_more = more.volume.get_den();
+    for (const Rational& x : more.moment) of_more = lcm(of_more, x.get_den());
+    const auto whole = [&of_more](const Rational& x) { return mpz_class(x.get_num() * (of_more / x.get_den())); };
+    const mpz_class divisor = 6 * scale * scale * scale * bottom, by_volume = 4 * scale * bottom;
+    Exact_solid sum;
+    sum.volume = {volume * of_more + whole(more.volume) * divisor, divisor * of_more};
+    for (int k = 0; k < 3; ++k)
+      sum.centroid[k] = {moment[k] * of_more + whole(more.moment[k]) * divisor * by_volume, by_volume * sum.volume.top};
+    return sum;
+  }
+
+ private:
+  using Factor = std::pair<std::uint32_t, mpz_class>;  // a crossing's number, and its `bottom`
+
+  struct Term {
+    std::vector<Factor> factors;  // of `bottom`, in order
+    mpz_class bottom, volume;
+    Number_point<mpz_class> moment;
+  };
+
+  void add_last_two()
+  {
+    const Term last = std::move(terms_.back());
+    terms_.pop_back();
+    Term& sum = terms_.back();
+    std::vector<Factor> all;
+    mpz_class common = 1;
+    auto y = last.factors.begin();
+    for (auto x = sum.factors.begin(); x != sum.factors.end() || y != last.factors.end();) {
+      const bool takes_x = y == last.factors.end() || (x != sum.factors.end() && x->first <= y->first);
+      if (takes_x && y != last.factors.end() && x->first == y->first) common *= (y++)->second;
+      all.push_back(takes_x ? *x++ : *y++);
+    }
+    const mpz_class by_last = sum.bottom / common, by_sum = last.bottom / common;
+    sum.volume = sum.volume * by_sum + last.volume * by_last;
+    for (int k = 0; k < 3; ++k)
+      sum.moment[k] = sum.moment[k] * (by_sum * by_sum) + last.moment[k] * (by_last * by_last);
+    sum.bottom *= by_sum;
+    sum.factors = std::move(all);
+  }
+
+  std::vector<Term> terms_;
+  std::size_t count_ = 0;
+};
+
+/// The cones over the common parts of the faces of two solids, of which each contact is a proper crossing.
 ///
 /// Face f has the corners p, q, r. The part of f in the other solid is bounded by contacts and by parts of f's edges.
 /// Its cone is the sum over these of the cones over the triangles (p, x, y), of which those on the edges at p are 0. So
 /// the edge qr and the contacts suffice. At a contact of f and g both parts have the border xy, in opposite directions.
+template <class N>
 class Crossing_cones {
  public:
+  using Triangle = Cone_triangle<N>;
+  using Crossing = Edge_crossing<N>;
+
   /// Adds the part of the edge qr that is in the other solid, between its crossings. `ends_inside` tells of r.
-  void add_edge(const Integer_triangle& face, const std::vector<Rational>& entering,
-                const std::vector<Rational>& leaving, bool ends_inside)
+  void add_edge(const Triangle& face, const std::vector<Crossing>& crossings, bool ends_inside)
   {
-    Rational length = ends_inside, squares = ends_inside;
-    for (const Rational& t : entering) {
-      length -= t;
-      squares -= t * t;
-    }
-    for (const Rational& t : leaving) {
-      length += t;
-      squares += t * t;
-    }
-    if (length == 0) return;
+    if (ends_inside) add_whole(face);
+    if (crossings.empty()) return;
     const auto& [p, q, r] = face.corner;
-    const Rational volume = face.outward * detail::inner(p, detail::product(q, r));
-    volume_.add(volume * length);
-    for (int k = 0; k < 3; ++k)
-      moment_[k].add(volume * (length * Rational(p[k] + 2 * q[k]) + squares * Rational(r[k] - q[k])));
+    const N volume = volume_of(face);
+    for (const Crossing& x : crossings) {
+      const N part = N(volume * x.part) * (x.enters ? -1 : 1);
+      Number_point<N> moment;
+      for (int k = 0; k < 3; ++k) moment[k] = part * ((p[k] + 2 * q[k]) * x.bottom + (r[k] - q[k]) * x.part);
+      sums.add({&x}, x.bottom, part, moment);
+    }
+  }
+
+  /// Adds a face that is wholly inside.
+  void add_whole(const Triangle& face)
+  {
+    const auto& [p, q, r] = face.corner;
+    const N volume = volume_of(face);
+    Number_point<N> moment;
+    for (int k = 0; k < 3; ++k) moment[k] = volume * (p[k] + q[k] + r[k]);
+    sums.add({}, N(1), volume, moment);
   }
 
   /// Adds the contact of a face of each body between two crossings.
-  void add_contact(const Integer_triangle& f, const Integer_triangle& g, const Integer_crossing& x,
-                   const Integer_crossing& y)
+  void add_contact(const Triangle& f, const Triangle& g, const Crossing& x, const Crossing& y)
   {
     // As seen from outside f, the other solid is on the left of the product of both outward normals.
-    Integer_point along;
+    Number_point<N> along;
     for (int k = 0; k < 3; ++k) along[k] = y.top[k] * x.bottom - x.top[k] * y.bottom;
-    const int way = sgn(detail::inner(detail::product(f.normal(), g.normal()), along));
-    const Integer_point xy = detail::product(x.top, y.top);
-    const mpz_class of_f = way * detail::inner(f.corner[0], xy), of_g = way * detail::inner(g.corner[0], xy),
-                    bottom = x.bottom * y.bottom;
-    volume_.add(fraction(of_f - of_g, bottom));
+    const int way = certain_sign(detail::inner(detail::product(f.normal(), g.normal()), along));
+    const Number_point<N> xy = detail::product(x.top, y.top);
+    const N of_f = detail::inner(f.corner[0], xy) * way, of_g = detail::inner(g.corner[0], xy) * way,
+            bottom = x.bottom * y.bottom;
+    Number_point<N> moment;
     for (int k = 0; k < 3; ++k) {
-      const mpz_class ends = x.top[k] * y.bottom + y.top[k] * x.bottom;
-      moment_[k].add(
-          fraction(of_f * (f.corner[0][k] * bottom + ends) - of_g * (g.corner[0][k] * bottom + ends), bottom * bottom));
+      const N ends = x.top[k] * y.bottom + y.top[k] * x.bottom;
+      moment[k] = of_f * (f.corner[0][k] * bottom + ends) - of_g * (g.corner[0][k] * bottom + ends);
     }
+    sums.add({&x, &y}, bottom, of_f - of_g, moment);
   }
 
-  /// Returns the sums for coordinates without the scale.
-  Volume_moment value(const mpz_class& scale) const
-  {
-    const mpz_class cube = scale * scale * scale;
-    Volume_moment sums{Rational(volume_.value() / (6 * cube))};
-    for (int k = 0; k < 3; ++k) sums.moment[k] = moment_[k].value() / Rational(24 * cube * scale);
-    return sums;
-  }
+  Cone_sums<N> sums;
 
  private:
-  static Rational fraction(const mpz_class& top, const mpz_class& bottom)
+  static N volume_of(const Triangle& face)
   {
-    Rational fraction(top, bottom);
-    fraction.canonicalize();
-    return fraction;
+    return detail::inner(face.corner[0], detail::product(face.corner[1], face.corner[2])) * face.outward;
   }
-
-  Rational_sum volume_;                 // times 6
-  std::array<Rational_sum, 3> moment_;  // times 24
 };
 
 }  // namespace tetracone::kernel

@@ -9,6 +9,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -91,10 +92,32 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
   return Rational(decimal(numerator) / divisor);
 }
 
+/// Returns a fraction of few digits that every double is below, equal to or above as it is of `value`.
+///
+/// `value` is scaled by a power of two so that its integer part has 127 or 128 bits, more than the largest double has
+/// places before its last bit is known. One bit more tells whether something is left.
+inline Rational shortened(const mpz_class& top, const mpz_class& bottom)
+{
+  const long bits = long(mpz_sizeinbase(top.get_mpz_t(), 2)) - long(mpz_sizeinbase(bottom.get_mpz_t(), 2));
+  const long k = 128 - bits;
+  const auto shifted = [](const mpz_class& x, long by) { return by > 0 ? mpz_class(x << mp_bitcnt_t(by)) : x; };
+  mpz_class whole, left;
+  mpz_tdiv_qr(whole.get_mpz_t(), left.get_mpz_t(), shifted(top, k).get_mpz_t(), shifted(bottom, -k).get_mpz_t());
+  whole = 2 * whole + sgn(left);
+  Rational value(shifted(whole, -k - 1), shifted(1, k + 1));
+  value.canonicalize();
+  return value;
+}
+
+/// Fractions of more limbs are shortened before they are compared with doubles: no shortened one has as many.
+constexpr std::size_t many_limbs = 64;
+
 /// Returns the double nearest to `value`, ties to even, as IEEE 754 rounds. It is infinite from the magnitude 2^1024 -
 /// 2^970 on, which is half a step beyond the largest double. `nearest_root` and `parse_double` round by the same rule.
 inline double nearest_double(const Rational& value)
 {
+  if (mpz_size(value.get_num_mpz_t()) + mpz_size(value.get_den_mpz_t()) > many_limbs)
+    return nearest_double(shortened(value.get_num(), value.get_den()));
   // A rational's own conversion may truncate. Its double is at most one step away from the nearest, and the candidates
   // are compared exactly.
   const double start = value.get_d();

@@ -18,7 +18,24 @@ detail::Relation_solver& relation_of(detail::Query_data& data)
   return *data.relation;
 }
 
+std::array<std::string, 3> texts(const std::array<kernel::Wide_fraction, 3>& x)
+{
+  return {kernel::to_string(x[0].reduced()), kernel::to_string(x[1].reduced()), kernel::to_string(x[2].reduced())};
+}
+
 }  // namespace
+
+std::string Overlap::exact_volume() const { return data ? kernel::to_string(data->solid.volume.reduced()) : "0"; }
+std::array<std::string, 3> Overlap::exact_centroid() const
+{
+  return data && data->has_volume() ? texts(data->solid.centroid) : texts({});
+}
+std::array<std::string, 3> Overlap::exact_contact_vector() const
+{
+  if (!data) return texts({});
+  const auto& [x, y, z] = data->contact_vector;
+  return texts({x, y, z});
+}
 
 Solid_contact Query::solid_relation(const Pose& pose_a, const Pose& pose_b)
 {
@@ -42,6 +59,15 @@ Overlap Query::overlap(const Pose& pose_a, const Pose& pose_b) { return overlap(
 Overlap Query::overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return relation_of(data()).overlap(pose_a, pose_b);
+}
+
+Overlap_bounds Query::overlap_bounds(const Pose& pose_a, const Pose& pose_b)
+{
+  return overlap_bounds(pose_a.exact(), pose_b.exact());
+}
+Overlap_bounds Query::overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  return relation_of(data()).overlap_bounds(pose_a, pose_b);
 }
 
 }  // namespace tetracone

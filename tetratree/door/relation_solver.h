@@ -1,6 +1,7 @@
 #ifndef TETRACONE_TETRATREE_DOOR_RELATION_SOLVER_H
 #define TETRACONE_TETRATREE_DOOR_RELATION_SOLVER_H
 
+#include "tetracone/kernel/contact/cone_sums.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/tetratree/door/overlap.h"
@@ -12,6 +13,14 @@ namespace tetracone::detail {
 
 struct Body_data;
 
+/// The fractions of an overlap.
+struct Overlap_data {
+  kernel::Exact_solid solid;
+  kernel::Rational_point contact_vector;
+
+  bool has_volume() const { return solid.volume.top != 0; }
+};
+
 /// Answers how solids stand and how much they overlap, by the fast tree and the adaptive kernel. Requires closed
 /// bodies, and det M != 0.
 class Relation_solver {
@@ -20,6 +29,7 @@ class Relation_solver {
   virtual kernel::Solid_relation relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual kernel::Solid_contact relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  virtual Overlap_bounds overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual tetratree::Query_statistics statistics() const = 0;
   virtual void clear_statistics() = 0;
 };

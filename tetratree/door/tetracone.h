@@ -317,6 +317,13 @@ class Query {
   /// Same, for poses of the templates. Requires det M != 0.
   Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
+  /// Returns bounds of the volume and the centroid, by interval arithmetic where that tells them, in a small part of
+  /// the time of `overlap`. Bounds of what interval arithmetic does not tell are neighbours. Throws as
+  /// `solid_relation`.
+  Overlap_bounds overlap_bounds(const Pose& pose_a, const Pose& pose_b);
+  /// Same, for poses of the templates. Requires det M != 0.
+  Overlap_bounds overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
   /// Returns the faces of A, in order, that have a point at most `limit` from B, decided on squares, exactly. There are
   /// none for a negative limit. B is its solid, or its surface under `Question::surface`. The limit is as for `within`.
   /// Throws Error as `nearest` and `within`.

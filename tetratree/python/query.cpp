@@ -269,9 +269,9 @@ py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object
   };
   py::list exact_volumes, exact_centroids, exact_vectors;
   for (const Overlap& each : found) {
-    exact_volumes.append(fraction(each.exact_volume));
-    exact_centroids.append(fractions(each.exact_centroid));
-    exact_vectors.append(fractions(each.exact_contact_vector));
+    exact_volumes.append(fraction(each.exact_volume()));
+    exact_centroids.append(fractions(each.exact_centroid()));
+    exact_vectors.append(fractions(each.exact_contact_vector()));
   }
   py::dict columns;
   columns["volume"] = doubles([](const Overlap& each) { return std::array{each.volume}; });

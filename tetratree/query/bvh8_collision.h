@@ -122,6 +122,16 @@ class Bvh8_collision {
     return b_.placed;
   }
 
+  /// True when vertex v of A (body 0) or B (body 1) is in the other solid at the last pose that was asked. Requires a
+  /// pose whose answer was not `apart`, a vertex that is not on the other surface, and that the caller's poses still
+  /// exist.
+  bool is_vertex_inside(int body, Index v)
+  {
+    relate_frames();
+    place();
+    return body == 0 ? containment_.holds(b_, a_, v, counts_) : containment_.holds(a_, b_, v, counts_);
+  }
+
   /// After `apart`: a lower bound of the distance of the placed bodies, by the plane between them. 0 if no plane was
   /// found.
   double certified_gap() const { return is_plane_tried_ ? separating_direction_.gap() : 0; }

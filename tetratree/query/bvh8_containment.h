@@ -8,6 +8,7 @@
 #include "tetracone/tetratree/query/placed_bvh8.h"
 #include "tetracone/tetratree/query_statistics.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -27,14 +28,18 @@ class Bvh8_containment {
   /// inside or outside as a whole, and one vertex decides.
   bool operator()(Placed_bvh8<K>& holder, Placed_bvh8<K>& held, Query_statistics& counts)
   {
-    for (const Index v : held.tree->model().covering().shell_vertices()) {
-      const Row at = image(held, v);
-      const double error = held.into_other.frame().error(Bvh8_elements::local_error);
-      if (is_outside(holder.tree->node(0).boxes, at, error)) continue;
-      ++counts.inclusion_tests;
-      if (winding_number(holder, held, v, beyond(at, error), counts) != 0) return true;
-    }
-    return false;
+    const auto& vertices = held.tree->model().covering().shell_vertices();
+    return std::ranges::any_of(vertices, [&](Index v) { return holds(holder, held, v, counts); });
+  }
+
+  /// True when the holder holds a vertex of the other body. Requires one that is not on the holder's surface.
+  bool holds(Placed_bvh8<K>& holder, Placed_bvh8<K>& held, Index v, Query_statistics& counts)
+  {
+    const Row at = image(held, v);
+    const double error = held.into_other.frame().error(Bvh8_elements::local_error);
+    if (is_outside(holder.tree->node(0).boxes, at, error)) return false;
+    ++counts.inclusion_tests;
+    return winding_number(holder, held, v, beyond(at, error), counts) != 0;
   }
 
   /// Upper bound of the relative error of a ray's box, over its end: centre, direction and extent are rounded to float.

@@ -7,80 +7,166 @@
 #include "tetracone/tetratree/contact/face_pairs.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
 
+#include <CGAL/Interval_nt.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
 
-/// The overlap of two simple solids in general position: all that their surfaces share are segments, at whose ends an
-/// edge of one goes through the inside of a face of the other. No face needs to be cut into cells then.
-class Crossing_overlap {
+using kernel::Interval;
+
+/// The vertices of two bodies in integers: a scale times their placed coordinates.
+class Integer_placing {
  public:
-  /// True where this is so.
-  static bool is_general(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found)
+  using Number = mpz_class;
+
+  /// The scale is a common denominator of the poses, times a power of two that clears the vertices.
+  Integer_placing(const std::array<const Placed_solid*, 2>& solids)
   {
-    const auto is_proper = [](const kernel::Triangle_contact::Corner& corner) {
-      return std::popcount(unsigned(corner.on_p)) + std::popcount(unsigned(corner.on_q)) == 1;
-    };
-    return a.sides().is_simple() && b.sides().is_simple() &&
-           std::ranges::all_of(found.pieces, [&](const Found_piece& piece) {
-             return piece.by_signs.count == 2 && is_proper(piece.by_signs.corners[0]) &&
-                    is_proper(piece.by_signs.corners[1]);
-           });
+    std::array<mpz_class, 2> common = {1, 1};
+    std::array<std::array<Rational, 12>, 2> entries;
+    for (int body = 0; body < 2; ++body) {
+      for (int k = 0; k < 12; ++k) {
+        entries[body][k] = solids[body]->pose().exact(k);
+        const mpz_class& divisor = entries[body][k].get_den();
+        if (!mpz_divisible_p(common[body].get_mpz_t(), divisor.get_mpz_t())) common[body] = lcm(common[body], divisor);
+      }
+      bits_[body] = solids[body]->sides().fraction_bits();
+    }
+    scale = lcm(mpz_class(common[0] << bits_[0]), mpz_class(common[1] << bits_[1]));
+    for (int body = 0; body < 2; ++body)
+      for (int k = 0; k < 12; ++k) {
+        map_[body][k] = entries[body][k].get_num() * (scale / entries[body][k].get_den());
+        if (k % 4 != 3) map_[body][k] >>= bits_[body];
+      }
   }
 
-  /// Requires `is_general`.
-  Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found) : solid_{&a, &b}
+  kernel::Number_point<mpz_class> operator()(int body, const kernel::Vertex& v) const
   {
-    place(found);
-    for (const Found_piece& piece : found.pieces) add(piece);
-    for (int body = 0; body < 2; ++body) add_edges_and_whole_faces(body);
+    kernel::Number_point<mpz_class> x, image;
+    for (int k = 0; k < 3; ++k) {
+      int exponent = 0;
+      x[k] = std::ldexp(std::frexp(v[k], &exponent), 53);
+      exponent += bits_[body] - 53;
+      if (exponent >= 0)
+        x[k] <<= exponent;
+      else
+        x[k] >>= -exponent;
+    }
+    const auto& m = map_[body];
+    for (int k = 0; k < 3; ++k) image[k] = m[4 * k] * x[0] + m[4 * k + 1] * x[1] + m[4 * k + 2] * x[2] + m[4 * k + 3];
+    return image;
   }
 
-  kernel::Volume_moment value() const
-  {
-    kernel::Volume_moment sums = cones_.value(scale_);
-    for (int body = 0; body < 2; ++body) sums += whole_[body].placed(solid_[body]->map());
-    return sums;
-  }
+  mpz_class scale;
 
  private:
+  std::array<int, 2> bits_{};
+  std::array<std::array<mpz_class, 12>, 2> map_;
+};
+
+/// The vertices of two bodies in intervals, from a point near them. Requires upward rounding.
+class Interval_placing {
+ public:
+  using Number = Interval;
+
+  Interval_placing(const std::array<const Placed_solid*, 2>& solids)
+  {
+    for (int body = 0; body < 2; ++body)
+      for (int k = 0; k < 12; ++k) {
+        const kernel::Pose& pose = solids[body]->pose();
+        map_[body][k] = pose.is_rational() ? Interval(CGAL::to_interval(pose.exact(k))) : Interval(pose[k]);
+      }
+    const auto near = (*this)(0, solids[0]->polyhedron().vertices[0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      origin[k] = near[k].sup();
+      for (auto& map : map_) map[4 * k + 3] -= origin[k];
+    }
+  }
+
+  kernel::Number_point<Interval> operator()(int body, const kernel::Vertex& v) const { return kernel::image(v, map_[body]); }
+
+  std::array<double, 3> origin{};
+
+ private:
+  std::array<std::array<Interval, 12>, 2> map_;
+};
+
+/// True when vertex v of a body is in the other solid. It is asked for vertices that are not on the other surface.
+using Is_vertex_inside = std::function<bool(int body, Index v)>;
+
+/// The overlap of two simple solids in general position: all that their surfaces share are segments, at whose ends an
+/// edge of one goes through the inside of a face of the other. No face needs to be cut into cells then.
+template <class Placing>
+class Crossing_overlap {
+ public:
+  using N = typename Placing::Number;
+
+  /// Requires `is_general`, and solids of which neither is apart from the other by a plane. Throws CGAL::Uncertain_conversion_exception where intervals do not tell a sign.
+  Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found,
+                   const Is_vertex_inside& is_vertex_inside)
+      : placing({&a, &b}), solid_{&a, &b}, joined_{covering::Union_find(a.sides().place_count()), covering::Union_find(b.sides().place_count())},
+        is_vertex_inside_(is_vertex_inside)
+  {
+    for (const Found_piece& piece : found.pieces) {
+      place(0, piece.face_a);
+      place(1, piece.face_b);
+    }
+    for (const Found_piece& piece : found.pieces) add(piece);
+    for (int body = 0; body < 2; ++body) {
+      join_edges(body);
+      add_edges_and_whole_faces(body);
+    }
+  }
+
+  /// Returns the volume and the centroid. Faces that are wholly inside are summed over the model.
+  kernel::Exact_solid value()
+    requires std::is_same_v<N, mpz_class>
+  {
+    kernel::Volume_moment whole;
+    for (int body = 0; body < 2; ++body)
+      if (has_whole_[body]) whole += whole_[body].placed(solid_[body]->map());
+    return cones.sums.value(placing.scale, whole);
+  }
+
+  Placing placing;
+  kernel::Crossing_cones<N> cones;
+
+ private:
+  using Crossing = kernel::Edge_crossing<N>;
+
   /// A face that meets the other body, and the crossings of its edges.
   struct Cut_face {
-    kernel::Integer_triangle triangle;
-    std::array<bool, 3> is_crossed{};         // by its edges; edge k goes from corner k to the next
-    std::vector<Rational> entering, leaving;  // shares of edge 1
+    kernel::Cone_triangle<N> triangle;
+    std::array<int, 3> entered{};       // by edge k, from corner k to the next: crossings that enter, less the others
+    std::array<bool, 3> is_crossed{};   // by edge
+    std::vector<Crossing> of_far_edge;  // the edge that cones need, edge 1
   };
 
-  /// Finds the scale, and places all faces that meet the other body.
-  void place(const Found_contacts& found)
+  kernel::Cone_triangle<N> triangle(int body, Index f) const
   {
-    std::array<std::map<Index, std::array<Rational_point, 3>>, 2> corners;
-    for (const Found_piece& piece : found.pieces)
-      for (int body = 0; body < 2; ++body) {
-        const Index f = body == 0 ? piece.face_a : piece.face_b;
-        const auto [at, is_new] = corners[body].try_emplace(f);
-        if (!is_new) continue;
-        const covering::Polyhedron& polyhedron = solid_[body]->polyhedron();
-        for (int k = 0; k < 3; ++k) {
-          at->second[k] = solid_[body]->map()(polyhedron.vertices[polyhedron.loop(f, 0)[k]]);
-          for (const Rational& x : at->second[k])
-            if (!mpz_divisible_p(scale_.get_mpz_t(), x.get_den_mpz_t())) scale_ = lcm(scale_, x.get_den());
-        }
-      }
-    for (int body = 0; body < 2; ++body)
-      for (const auto& [f, points] : corners[body]) {
-        Cut_face& cut = cut_[body][f];
-        cut.triangle.outward = solid_[body]->plain_sides(f).against ? 1 : -1;
-        for (int k = 0; k < 3; ++k)
-          for (int i = 0; i < 3; ++i)
-            cut.triangle.corner[k][i] = points[k][i].get_num() * (scale_ / points[k][i].get_den());
-      }
+    const covering::Polyhedron& polyhedron = solid_[body]->polyhedron();
+    kernel::Cone_triangle<N> triangle;
+    triangle.outward = solid_[body]->plain_sides(f).against ? 1 : -1;
+    for (int k = 0; k < 3; ++k) triangle.corner[k] = placing(body, polyhedron.vertices[polyhedron.loop(f, 0)[k]]);
+    return triangle;
+  }
+
+  void place(int body, Index f)
+  {
+    const auto [at, is_new] = cut_[body].try_emplace(f);
+    if (is_new) at->second.triangle = triangle(body, f);
   }
 
   /// Adds the segment that two faces share.
@@ -92,57 +178,151 @@ class Crossing_overlap {
       const int edge = std::countr_zero(unsigned(body == 0 ? corner.on_p : corner.on_q));
       Cut_face& own = *cut[body];
       const auto& corners = own.triangle.corner;
-      kernel::Integer_crossing found(corners[edge], corners[(edge + 1) % 3], cut[1 - body]->triangle);
+      Crossing found(corners[edge], corners[(edge + 1) % 3], cut[1 - body]->triangle);
+      if constexpr (std::is_same_v<N, mpz_class>) found.number = number(body, edge, piece);
       own.is_crossed[edge] = true;
-      if (edge == 1) (found.enters ? own.entering : own.leaving).push_back(found.share);
+      own.entered[edge] += found.enters ? 1 : -1;
+      if (edge == 1) own.of_far_edge.push_back(found);
       return found;
     };
-    const kernel::Integer_crossing x = crossing(piece.by_signs.corners[0]), y = crossing(piece.by_signs.corners[1]);
-    cones_.add_contact(cut[0]->triangle, cut[1]->triangle, x, y);
+    const Crossing x = crossing(piece.by_signs.corners[0]), y = crossing(piece.by_signs.corners[1]);
+    cones.add_contact(cut[0]->triangle, cut[1]->triangle, x, y);
   }
 
-  /// Adds the edges of faces that meet the other body, and the faces that lie wholly inside it. An edge that is not
-  /// crossed is inside or outside with both ends.
+  /// Returns the number of a crossing of an edge of a body. Both faces at the edge have it.
+  std::uint32_t number(int body, int edge, const Found_piece& piece)
+  {
+    const Index own = body == 0 ? piece.face_a : piece.face_b, other = body == 0 ? piece.face_b : piece.face_a;
+    const covering::Loop v = solid_[body]->polyhedron().loop(own, 0);
+    const Solid_sides& sides = solid_[body]->sides();
+    const Index from = sides.place(v[edge]), to = sides.place(v[(edge + 1) % 3]);
+    return numbers_
+        .try_emplace({Index(body), kernel::minimum(from, to), kernel::maximum(from, to), other},
+                     std::uint32_t(numbers_.size()))
+        .first->second;
+  }
+
+  /// Joins the ends of edges that are both inside or both outside, and notes what crossings tell of the others.
+  void join_edges(int body)
+  {
+    const covering::Polyhedron& polyhedron = solid_[body]->polyhedron();
+    const Solid_sides& sides = solid_[body]->sides();
+    std::vector<std::pair<Index, bool>> told;
+    for_faces(body, [&](Index f, const Cut_face* cut) {
+      const covering::Loop v = polyhedron.loop(f, 0);
+      for (int k = 0; k < 3; ++k) {
+        const Index from = sides.place(v[k]), to = sides.place(v[(k + 1) % 3]);
+        const int entered = cut == nullptr ? 0 : cut->entered[k];
+        if (entered == 0) {
+          joined_[body].join(from, to);
+        } else {
+          told.emplace_back(from, entered < 0);
+          told.emplace_back(to, entered > 0);
+        }
+      }
+    });
+    for (const auto& [place, is_inside] : told) is_inside_[body][joined_[body].root(place)] = is_inside;
+  }
+
+  /// True when a vertex is inside the other body. Where no crossing tells, it is asked.
+  bool is_inside(int body, Index v)
+  {
+    const auto [at, is_new] = is_inside_[body].try_emplace(joined_[body].root(solid_[body]->sides().place(v)));
+    if (is_new) {
+      // Intervals have set another rounding mode, in which nothing else may be asked.
+      const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
+      at->second = is_vertex_inside_(body, v);
+    }
+    return at->second;
+  }
+
+  /// Adds the edges of faces that meet the other body, and the faces that lie wholly inside it.
   void add_edges_and_whole_faces(int body)
   {
-    const Placed_solid& own = *solid_[body];
-    const covering::Polyhedron& polyhedron = own.polyhedron();
-    const Solid_sides& sides = own.sides();
-    covering::Union_find joined(sides.place_count());
-    auto cut = cut_[body].begin();
-    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    const covering::Polyhedron& polyhedron = solid_[body]->polyhedron();
+    for_faces(body, [&](Index f, const Cut_face* cut) {
       const covering::Loop v = polyhedron.loop(f, 0);
-      const bool is_cut = cut != cut_[body].end() && cut->first == f;
-      for (int k = 0; k < 3; ++k)
-        if (!is_cut || !cut->second.is_crossed[k]) joined.join(sides.place(v[k]), sides.place(v[(k + 1) % 3]));
-      if (is_cut) ++cut;
+      if (cut != nullptr)
+        cones.add_edge(cut->triangle, cut->of_far_edge, is_inside(body, v[2]));
+      else if (is_inside(body, v[0]))
+        add_whole(body, f);
+    });
+  }
+
+  void add_whole(int body, Index f)
+  {
+    if constexpr (std::is_same_v<N, mpz_class>) {
+      const covering::Polyhedron& polyhedron = solid_[body]->polyhedron();
+      const covering::Loop v = polyhedron.loop(f, 0);
+      whole_[body].add(solid_[body]->sides().of(f).back ? 1 : -1, polyhedron.vertices[v[0]], polyhedron.vertices[v[1]],
+                       polyhedron.vertices[v[2]]);
+      has_whole_[body] = true;
+    } else {
+      cones.add_whole(triangle(body, f));
     }
-    std::map<Index, bool> known;
-    const auto is_inside = [&](Index v) {
-      const auto [at, is_new] = known.try_emplace(joined.root(sides.place(v)));
-      if (is_new)
-        at->second = solid_[1 - body]->locate(own.map()(polyhedron.vertices[v])) == covering::Location::inside;
-      return at->second;
-    };
-    cut = cut_[body].begin();
-    for (Index f = 0; f < polyhedron.face_count(); ++f) {
-      const covering::Loop v = polyhedron.loop(f, 0);
-      if (cut != cut_[body].end() && cut->first == f) {
-        const Cut_face& face = cut++->second;
-        cones_.add_edge(face.triangle, face.entering, face.leaving, is_inside(v[2]));
-      } else if (is_inside(v[0])) {
-        whole_[body].add(sides.of(f).back ? 1 : -1, polyhedron.vertices[v[0]], polyhedron.vertices[v[1]],
-                         polyhedron.vertices[v[2]]);
-      }
+  }
+
+  /// Calls what(face, cut face or null) for all faces, in order.
+  template <class What>
+  void for_faces(int body, const What& what) const
+  {
+    auto cut = cut_[body].begin();
+    for (Index f = 0; f < solid_[body]->polyhedron().face_count(); ++f) {
+      const bool is_cut = cut != cut_[body].end() && cut->first == f;
+      what(f, is_cut ? &cut->second : nullptr);
+      if (is_cut) ++cut;
     }
   }
 
   std::array<const Placed_solid*, 2> solid_;
-  mpz_class scale_ = 1;  // the coordinates of `cut_` are integers times 1 / scale_
   std::array<std::map<Index, Cut_face>, 2> cut_;
-  kernel::Crossing_cones cones_;
+  std::map<std::array<Index, 4>, std::uint32_t> numbers_;  // of crossings: by body, ends of the edge, other face
+  std::array<covering::Union_find, 2> joined_;
+  Is_vertex_inside is_vertex_inside_;
+  std::array<std::map<Index, bool>, 2> is_inside_;  // by the root of the vertex's place
   std::array<kernel::Model_cones, 2> whole_;
+  std::array<bool, 2> has_whole_{};
 };
+
+/// True where two solids are simple and in general position.
+inline bool is_general(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found)
+{
+  const auto is_proper = [](const kernel::Triangle_contact::Corner& corner) {
+    return std::popcount(unsigned(corner.on_p)) + std::popcount(unsigned(corner.on_q)) == 1;
+  };
+  return a.sides().is_simple() && b.sides().is_simple() && std::ranges::all_of(found.pieces, [&](const Found_piece& x) {
+           return x.by_signs.count == 2 && is_proper(x.by_signs.corners[0]) && is_proper(x.by_signs.corners[1]);
+         });
+}
+
+/// A volume and a centroid in intervals.
+struct Overlap_enclosure {
+  Interval volume = 0;
+  kernel::Number_point<Interval> centroid = {0, 0, 0};
+};
+
+/// Returns enclosures of the volume and the centroid; nothing where doubles do not tell them. Requires `is_general`.
+inline std::optional<Overlap_enclosure> enclosed_overlap(const Placed_solid& a, const Placed_solid& b,
+                                                         const Found_contacts& found,
+                                                         const Is_vertex_inside& is_vertex_inside)
+{
+  const CGAL::Protect_FPU_rounding<true> upward;
+  try {
+    const Crossing_overlap<Interval_placing> overlap(a, b, found, is_vertex_inside);
+    const auto& [volume, moment] = overlap.cones.sums;
+    Overlap_enclosure enclosure;
+    if (found.pieces.empty() && CGAL::is_zero(volume)) return enclosure;
+    enclosure.volume = volume / 6;
+    bool is_finite = CGAL::is_finite(enclosure.volume) && enclosure.volume.inf() > 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      enclosure.centroid[k] = moment[k] / (4 * volume) + overlap.placing.origin[k];
+      is_finite = is_finite && CGAL::is_finite(enclosure.centroid[k]);
+    }
+    return is_finite ? std::optional(enclosure) : std::nullopt;
+  } catch (const CGAL::Uncertain_conversion_exception&) {
+    return std::nullopt;
+  }
+}
 
 }  // namespace tetracone::tetratree
 

@@ -11,6 +11,7 @@
 #include "tetracone/tetratree/relation/solid_sides.h"
 
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace tetracone::tetratree {
@@ -40,13 +41,20 @@ class Placed_solid {
   void place(const kernel::Pose& pose)
   {
     pose_ = pose;
-    map_ = kernel::Rational_map(pose);
+    map_.reset();
     faces_.clear();
   }
 
   const covering::Polyhedron& polyhedron() const { return *polyhedron_; }
   const Solid_sides& sides() const { return *sides_; }
-  const kernel::Rational_map& map() const { return map_; }
+  const kernel::Pose& pose() const { return pose_; }
+
+  /// Returns the pose in rationals, which is made when it is first asked for.
+  const kernel::Rational_map& map() const
+  {
+    if (!map_) map_.emplace(pose_);
+    return *map_;
+  }
 
   /// Returns a placed face.
   const Rational_face& face(Index f)
@@ -57,13 +65,13 @@ class Placed_solid {
   }
 
   /// Returns where x is with regard to the solid.
-  covering::Location locate(const Rational_point& x) const { return locator_->locate(map_.inverse(x)); }
+  covering::Location locate(const Rational_point& x) const { return locator_->locate(map().inverse(x)); }
 
   /// Returns the sides of a plain triangle along its placed normal.
   Normal_sides plain_sides(Index f) const
   {
     const Solid_sides::Face_sides& sides = sides_->of(f);
-    return map_.determinant() > 0 ? Normal_sides{sides.front, sides.back} : Normal_sides{sides.back, sides.front};
+    return pose_.determinant_sign() > 0 ? Normal_sides{sides.front, sides.back} : Normal_sides{sides.back, sides.front};
   }
 
   /// Returns the sides of x along a normal. Requires what `covering::sides` does, for the plane of that normal.
@@ -72,10 +80,10 @@ class Placed_solid {
     int axis = 0;
     Rational_point height;  // of the images of the model's axes, along the normal
     for (int k = 0; k < 3; ++k) {
-      height[k] = dot(map_.column(k), normal);
+      height[k] = dot(map().column(k), normal);
       if (abs(height[k]) > abs(height[axis])) axis = k;
     }
-    const covering::Sides sides = covering::sides(*polyhedron_, map_.inverse(x), axis);
+    const covering::Sides sides = covering::sides(*polyhedron_, map().inverse(x), axis);
     return height[axis] > 0 ? Normal_sides{sides.above, sides.below} : Normal_sides{sides.below, sides.above};
   }
 
@@ -84,7 +92,7 @@ class Placed_solid {
   const Solid_sides* sides_;
   const Point_locator* locator_;
   kernel::Pose pose_;
-  kernel::Rational_map map_;
+  mutable std::optional<kernel::Rational_map> map_;
   std::map<Index, Rational_face> faces_;
 };
 

@@ -43,7 +43,7 @@ struct Seen_cell {
 
 /// How much two solids overlap and touch.
 struct Solid_overlap {
-  kernel::Volume_moment all;  ///< of the overlap
+  kernel::Exact_solid all;
   Rational_point contact_vector = {0, 0, 0};
   std::vector<Rational> squared_areas;  ///< of the common parts of faces; each point of a face is in one of them
 };
@@ -135,8 +135,9 @@ class Solid_pair {
         }
       });
     }
-    overlap.all = cut.value();
-    for (int body = 0; body < 2; ++body) overlap.all += uncut[body].placed(solid_[body].map());
+    kernel::Volume_moment all = cut.value();
+    for (int body = 0; body < 2; ++body) all += uncut[body].placed(solid_[body].map());
+    overlap.all = kernel::Exact_solid(all);
     return overlap;
   }
 

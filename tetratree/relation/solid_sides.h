@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -61,6 +62,8 @@ class Solid_sides {
       faces_[f].is_plain = polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f).has_value();
       if (!faces_[f].is_plain) uneven_.push_back(f);
     }
+    for (const kernel::Vertex& v : polyhedron.vertices)
+      for (const double x : v) fraction_bits_ = kernel::maximum(fraction_bits_, fraction_bits(x));
     find_cutters(tree);
     see_patches();
     for (Index f = 0; f < faces; ++f)
@@ -76,6 +79,9 @@ class Solid_sides {
   Index place(Index v) const { return place_[v]; }
   std::size_t place_count() const { return place_.size(); }
 
+  /// Returns the least n >= 0 such that all coordinates times 2^n are integers.
+  int fraction_bits() const { return fraction_bits_; }
+
   /// Returns the faces that are not triangles with area: no tree of triangles leads to them.
   std::span<const Index> uneven() const { return uneven_; }
 
@@ -87,6 +93,14 @@ class Solid_sides {
   }
 
  private:
+  static int fraction_bits(double x)
+  {
+    if (x == 0) return 0;
+    int exponent = 0;
+    const auto digits = std::int64_t(std::ldexp(std::frexp(x, &exponent), 53));
+    return 53 - exponent - std::countr_zero(std::uint64_t(digits));
+  }
+
   /// Finds the pairs of faces that meet elsewhere than in a vertex or an edge of both.
   void find_cutters(const Bvh8& tree)
   {
@@ -189,6 +203,7 @@ class Solid_sides {
   std::map<Index, std::vector<Index>> cutters_;
   std::vector<Index> uneven_;
   bool is_simple_ = false;
+  int fraction_bits_ = 0;
 };
 
 }  // namespace tetracone::tetratree

@@ -53,30 +53,32 @@ class Bvh8_relation_solver : public Relation_solver {
 
   Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
-    tetratree::Found_contacts contacts = this->contacts(pose_a, pose_b);
-    Placed_solid &a = exactly().pair.solid(0), &b = exactly().pair.solid(1);
-    tetratree::Solid_overlap found;
-    if (tetratree::Crossing_overlap::is_general(a, b, contacts)) {
-      a.place(pose_a);
-      b.place(pose_b);
-      found.all = tetratree::Crossing_overlap(a, b, contacts).value();
-    } else {
-      place(pose_a, pose_b, std::move(contacts));
-      found = exactly().pair.overlap();
-    }
-    Overlap overlap;
-    const auto write = [](const kernel::Rational& exact, double& nearest, std::string& text) {
-      nearest = kernel::nearest_double(exact);
-      text = kernel::to_string(exact);
+    if (is_apart(pose_a, pose_b)) return {};
+    return exact_overlap(pose_a, pose_b, contacts(pose_a, pose_b));
+  }
+
+  Overlap_bounds overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    Overlap_bounds bounds;
+    if (is_apart(pose_a, pose_b)) return bounds;
+    tetratree::Found_contacts found = contacts(pose_a, pose_b);
+    if (place_general(pose_a, pose_b, found))
+      if (const auto enclosure = tetratree::enclosed_overlap(exactly().pair.solid(0), exactly().pair.solid(1), found,
+                                                             is_vertex_inside())) {
+        const auto ends = [](const kernel::Interval& x) { return std::array<double, 2>{x.inf(), x.sup()}; };
+        bounds.volume = ends(enclosure->volume);
+        for (std::size_t k = 0; k < 3; ++k) bounds.centroid[k] = ends(enclosure->centroid[k]);
+        return bounds;
+      }
+    const Overlap exact = exact_overlap(pose_a, pose_b, std::move(found));
+    const auto ends = [](const kernel::Wide_fraction& x) {
+      const auto [low, high] = CGAL::to_interval(kernel::shortened(x.top, x.bottom));
+      return std::array<double, 2>{low, high};
     };
-    const auto& [volume, moment] = found.all;
-    write(volume, overlap.volume, overlap.exact_volume);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (volume != 0) write(moment[k] / volume, overlap.centroid[k], overlap.exact_centroid[k]);
-      write(found.contact_vector[k], overlap.contact_vector[k], overlap.exact_contact_vector[k]);
-    }
-    overlap.contact_area = kernel::enclosed_root_sum(found.squared_areas);
-    return overlap;
+    if (!exact.data->has_volume()) return bounds;
+    bounds.volume = ends(exact.data->solid.volume);
+    for (std::size_t k = 0; k < 3; ++k) bounds.centroid[k] = ends(exact.data->solid.centroid[k]);
+    return bounds;
   }
 
   tetratree::Query_statistics statistics() const override
@@ -93,6 +95,56 @@ class Bvh8_relation_solver : public Relation_solver {
 
  private:
   using K = kernel::Adaptive;
+
+  bool is_apart(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+  {
+    return collision_.relation(pose_a, pose_b, Question::solid, &memory_) == Relation::apart;
+  }
+
+  tetratree::Is_vertex_inside is_vertex_inside()
+  {
+    return [this](int body, Index v) { return collision_.is_vertex_inside(body, v); };
+  }
+
+  /// Places the solids, and returns true, where they are in general position.
+  bool place_general(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const tetratree::Found_contacts& found)
+  {
+    Placed_solid &a = exactly().pair.solid(0), &b = exactly().pair.solid(1);
+    if (!tetratree::is_general(a, b, found)) return false;
+    a.place(pose_a);
+    b.place(pose_b);
+    return true;
+  }
+
+  Overlap exact_overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Found_contacts contacts)
+  {
+    tetratree::Solid_overlap found;
+    if (place_general(pose_a, pose_b, contacts)) {
+      found.all = tetratree::Crossing_overlap<tetratree::Integer_placing>(exactly().pair.solid(0),
+                                                                          exactly().pair.solid(1), contacts,
+                                                                          is_vertex_inside())
+                      .value();
+    } else {
+      place(pose_a, pose_b, std::move(contacts));
+      found = exactly().pair.overlap();
+    }
+    Overlap overlap;
+    const auto exact = std::make_shared<Overlap_data>();
+    exact->solid = std::move(found.all);
+    for (std::size_t k = 0; k < 3; ++k) {
+      exact->contact_vector[k] = found.contact_vector[k];
+      overlap.contact_vector[k] = kernel::nearest_double(found.contact_vector[k]);
+    }
+    const auto nearest = [](const kernel::Wide_fraction& x) {
+      return kernel::nearest_double(kernel::shortened(x.top, x.bottom));
+    };
+    overlap.volume = nearest(exact->solid.volume);
+    if (exact->has_volume())
+      for (std::size_t k = 0; k < 3; ++k) overlap.centroid[k] = nearest(exact->solid.centroid[k]);
+    overlap.data = exact;
+    overlap.contact_area = kernel::enclosed_root_sum(found.squared_areas);
+    return overlap;
+  }
 
   /// What only poses need that the first crossing does not decide.
   struct Exactly {

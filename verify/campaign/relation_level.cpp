@@ -20,8 +20,8 @@ constexpr std::array all_relations = {Solid_relation::disjoint,   Solid_relation
                                       Solid_relation::covered_by, Solid_relation::covers};
 
 /// An answer says which relation holds, of which dimension the contact is, and how much the solids overlap. The last
-/// are `overlap_statements`: the exact volume and centroid, and the nearest doubles of these four numbers; the value is
-/// the number of those that are right. The truth says of each relation whether it is the case's. Subjects are not asked
+/// are `overlap_statements`: the exact volume and centroid, and the nearest doubles and the bounds of these four
+/// numbers; the value is the number of those that are right. The truth says of each relation whether it is the case's. Subjects are not asked
 /// about bodies of more than `most_faces` faces.
 class Relation_page : public Page<levels::Relations> {
  public:
@@ -72,16 +72,21 @@ class Relation_page : public Page<levels::Relations> {
       const auto [of_all, of_contact] = told.overlap.contact;
       relation.value = told.alone == of_all ? int(of_all) : -1;
       dimension.value = of_contact;
-      overlap.value = (told.overlap.volume == truth_.volume) + (told.volume == kernel::nearest_double(truth_.volume));
+      const auto holds = [](const std::array<double, 2>& bounds, const kernel::Rational& x) {
+        return bounds[0] <= x && x <= bounds[1];
+      };
+      overlap.value = (told.overlap.volume == truth_.volume) + (told.volume == kernel::nearest_double(truth_.volume)) +
+                      holds(told.bounds.volume, truth_.volume);
       for (std::size_t k = 0; k < 3; ++k)
         *overlap.value += (told.overlap.centroid[k] == truth_.centroid[k]) +
-                          (told.centroid[k] == kernel::nearest_double(truth_.centroid[k]));
+                          (told.centroid[k] == kernel::nearest_double(truth_.centroid[k])) +
+                          holds(told.bounds.centroid[k], truth_.centroid[k]);
     }
     return {relation, dimension, overlap};
   }
 
  private:
-  static constexpr int overlap_statements = 8;
+  static constexpr int overlap_statements = 12;
   /// Both truths know the volumes of bodies with no more faces than this.
   static constexpr std::size_t few_faces = 12;
 

@@ -95,11 +95,13 @@ class Own : public Running_subject {
     };
     const auto answer = [&] {
       const Overlap overlap = pair_->query(solid)->overlap(c.pose_a, c.pose_b);
-      Solid_answer answer{{contact(c.pose_b), kernel::Rational(overlap.exact_volume)},
+      Solid_answer answer{{contact(c.pose_b), kernel::Rational(overlap.exact_volume())},
                           pair_->query(solid)->solid_relation_alone(c.pose_a, c.pose_b),
                           overlap.volume,
-                          overlap.centroid};
-      for (std::size_t k = 0; k < 3; ++k) answer.overlap.centroid[k] = kernel::Rational(overlap.exact_centroid[k]);
+                          overlap.centroid,
+                          pair_->query(solid)->overlap_bounds(c.pose_a, c.pose_b)};
+      const auto exact_centroid = overlap.exact_centroid();
+      for (std::size_t k = 0; k < 3; ++k) answer.overlap.centroid[k] = kernel::Rational(exact_centroid[k]);
       return answer;
     };
     return tell(c, solid, most_faces, answer, contact);

@@ -39,6 +39,7 @@ struct Solid_answer {
   kernel::Solid_relation alone{};  ///< the relation, asked for without the rest
   double volume = 0;               ///< that of the overlap, rounded
   std::array<double, 3> centroid{};
+  Overlap_bounds bounds;
 };
 
 /// A running object subject, for one thread. It keeps what it prepared for the polyhedra of the last case.
