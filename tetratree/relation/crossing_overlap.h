@@ -150,7 +150,6 @@ class Crossing_overlap {
   struct Cut_face {
     kernel::Cone_triangle<N> triangle;
     std::array<int, 3> entered{};       // by edge k, from corner k to the next: crossings that enter, less the others
-    std::array<bool, 3> is_crossed{};   // by edge
     std::vector<Crossing> of_far_edge;  // the edge that cones need, edge 1
   };
 
@@ -180,7 +179,6 @@ class Crossing_overlap {
       const auto& corners = own.triangle.corner;
       Crossing found(corners[edge], corners[(edge + 1) % 3], cut[1 - body]->triangle);
       if constexpr (std::is_same_v<N, mpz_class>) found.number = number(body, edge, piece);
-      own.is_crossed[edge] = true;
       own.entered[edge] += found.enters ? 1 : -1;
       if (edge == 1) own.of_far_edge.push_back(found);
       return found;

@@ -148,6 +148,22 @@ BOOST_AUTO_TEST_CASE(every_exact_kernel_and_method_lists_the_same_and_others_ref
   BOOST_CHECK_THROW(listed("epick", Method::paper), Error);
 }
 
+BOOST_AUTO_TEST_CASE(an_edge_is_listed_once_with_each_face_that_it_meets)
+{
+  for (const Polyhedron& body : {cube, triangulated_cube})
+    for (const Pose& pose : {Pose::translation(0.5, 0.25, 0.125), Pose::translation(1, 0.5, 0)}) {
+      const auto listed = [&](Method method) {
+        auto features = Query(Body(body), Body(body), Question::surface, {.method = method}).features(Pose(), pose);
+        std::ranges::sort(features);
+        return features;
+      };
+      const auto features = listed(Method::tree);
+      BOOST_TEST(!features.empty());
+      BOOST_TEST((std::ranges::adjacent_find(features) == features.end()));
+      BOOST_TEST((features == listed(Method::brute)));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(grids_in_one_plane_take_what_they_print)
 {
   // 2 x 60 x 60 triangles on as many of another grid: each meets a few, not all.

@@ -87,6 +87,21 @@ BOOST_AUTO_TEST_CASE(doubles_do_not_take_bodies_that_are_tiny_for_touching)
   BOOST_TEST(!query.within(Pose(), Pose::translation(1e-60, 0, 0), 1e-61));
 }
 
+BOOST_AUTO_TEST_CASE(of_two_corners_that_doubles_call_equally_near_the_nearer_one_counts)
+{
+  // Their distances round to 1 and to its successor.
+  const double low = 0x1p-53 - 0x1p-80, high = 0x1p-53 + 0x1p-80;
+  const Pose up = Pose::translation(0, 0, 1);
+  const Body slab(scenes::triangulated(scenes::box({-8, -8, -1}, {8, 8, 0})));
+  for (const auto& [first, second] : {std::array{low, high}, std::array{high, low}}) {
+    Polyhedron spikes = scenes::tetrahedron({0, 0, first}, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1});
+    scenes::append(spikes, scenes::tetrahedron({4, 0, second}, {5, 0, 1}, {4, 1, 1}, {3, -1, 1}));
+    const Body body(spikes);
+    BOOST_TEST(Query(body, slab).distance(up, Pose()) == 1.0);
+    BOOST_TEST(Query(slab, body).distance(Pose(), up) == 1.0);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_zone_has_the_faces_whose_distance_is_within_the_limit)
 {
   scenes::Random random(4630);
