@@ -60,6 +60,9 @@ constexpr std::array experiments = {
                "20 s", run_demand, "--race-frames --seed"},
     Experiment{"points", "what does a point in a solid cost, and the first hit of a ray, against CGAL?", "1 min",
                run_points, "--points --mesh --seed --full"},
+    Experiment{"measures",
+               "what do relations, overlaps, signed distances and self-intersections cost, beside collide and CGAL?",
+               "1 min", run_measures, "--race-frames --seed --full"},
     Experiment{"sign-maps",
                "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min",
                run_sign_maps, "--size"},
@@ -113,7 +116,8 @@ void add_experiment_command(CLI::App& app)
   add_default(*command, "--rotations", options->rotations, "study, contact-cost: poses of each degenerate scenario")
       ->check(poses);
   add_default(*command, "--race-frames", options->race_frames,
-              "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes, budget, demand: poses "
+              "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes, budget, demand, "
+              "measures: poses "
               "of each trajectory (peers: of each of eight circles; coherence: of the coarsest walk; scenes and "
               "budget: a twentieth, demand: a tenth); moving-bodies: motions of each course")
       ->check(poses);

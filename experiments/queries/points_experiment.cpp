@@ -54,34 +54,6 @@ double heap()
   return double(info.uordblks) + double(info.hblkhd);
 }
 
-/// Points at random in a box a tenth larger than the body; or within 1e-3 of a random point of a random triangle, 1
-/// being half of the body's largest extent.
-std::vector<Point> points_of(const covering::Polyhedron& body, bool near_surface, int count, verify::Random& random)
-{
-  Point low = body.vertices[0], high = low;
-  for (const auto& v : body.vertices)
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], v[k]);
-      high[k] = std::max(high[k], v[k]);
-    }
-  double half = 0;
-  for (int k = 0; k < 3; ++k) half = std::max(half, (high[k] - low[k]) / 2);
-  std::vector<Point> points;
-  for (int n = 0; n < count; ++n) {
-    Point p;
-    if (near_surface) {
-      const auto loop = body.loop(covering::Index(random.bits() % body.face_count()), 0);
-      const auto on = random.in_triangle({body.vertices[loop[0]], body.vertices[loop[1]], body.vertices[loop[2]]});
-      const auto off = random.in_ball();
-      for (int k = 0; k < 3; ++k) p[k] = on[k] + 1e-3 * half * off[k];
-    } else {
-      for (int k = 0; k < 3; ++k) p[k] = low[k] + (high[k] - low[k]) * (1.1 * random.unit() - 0.05);
-    }
-    points.push_back(p);
-  }
-  return points;
-}
-
 std::vector<Ray> rays_of(const covering::Polyhedron& body, int count, verify::Random& random)
 {
   std::vector<Ray> rays;

@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/tetratree/ray_hit.h"
+#include "verify/cases/random.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -24,6 +25,36 @@ using Exact_predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Cgal_mesh = CGAL::Surface_mesh<Exact_predicates::Point_3>;
 using Cgal_tree =
     CGAL::AABB_tree<CGAL::AABB_traits<Exact_predicates, CGAL::AABB_face_graph_triangle_primitive<Cgal_mesh>>>;
+
+/// Returns points at random in a box a tenth larger than the body; or within 1e-3 of a random point of a random triangle, 1
+/// being half of the body's largest extent.
+inline std::vector<std::array<double, 3>> points_of(const covering::Polyhedron& body, bool near_surface, int count,
+                                                    verify::Random& random)
+{
+  using Point = std::array<double, 3>;
+  Point low = body.vertices[0], high = low;
+  for (const auto& v : body.vertices)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], v[k]);
+      high[k] = std::max(high[k], v[k]);
+    }
+  double half = 0;
+  for (int k = 0; k < 3; ++k) half = std::max(half, (high[k] - low[k]) / 2);
+  std::vector<Point> points;
+  for (int n = 0; n < count; ++n) {
+    Point p;
+    if (near_surface) {
+      const auto loop = body.loop(covering::Index(random.bits() % body.face_count()), 0);
+      const auto on = random.in_triangle({body.vertices[loop[0]], body.vertices[loop[1]], body.vertices[loop[2]]});
+      const auto off = random.in_ball();
+      for (int k = 0; k < 3; ++k) p[k] = on[k] + 1e-3 * half * off[k];
+    } else {
+      for (int k = 0; k < 3; ++k) p[k] = low[k] + (high[k] - low[k]) * (1.1 * random.unit() - 0.05);
+    }
+    points.push_back(p);
+  }
+  return points;
+}
 
 /// The truth for points and meshes of many triangles. It sums the signed crossings of the upward ray by CGAL's exact
 /// predicates, with the triangles that a grid over x and y finds above and below. Degenerate cases are decided in

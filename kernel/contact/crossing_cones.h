@@ -43,9 +43,9 @@ struct Cone_triangle {
 template <class N>
 struct Edge_crossing {
   Number_point<N> top;
-  N bottom;     ///< positive
-  N part;       ///< `part / bottom` is the share of the edge that lies before the point
-  bool enters;  ///< whether the edge enters the triangle's solid there
+  N bottom;                  ///< positive
+  N part;                    ///< `part / bottom` is the share of the edge that lies before the point
+  bool enters;               ///< whether the edge enters the triangle's solid there
   std::uint32_t number = 0;  ///< of the edge, in either direction, and the triangle
 
   /// Requires an edge whose ends are on different sides of the triangle's plane.

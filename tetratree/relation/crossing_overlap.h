@@ -95,7 +95,10 @@ class Interval_placing {
     }
   }
 
-  kernel::Number_point<Interval> operator()(int body, const kernel::Vertex& v) const { return kernel::image(v, map_[body]); }
+  kernel::Number_point<Interval> operator()(int body, const kernel::Vertex& v) const
+  {
+    return kernel::image(v, map_[body]);
+  }
 
   std::array<double, 3> origin{};
 
@@ -116,7 +119,9 @@ class Crossing_overlap {
   /// Requires `is_general`, and solids of which neither is apart from the other by a plane. Throws CGAL::Uncertain_conversion_exception where intervals do not tell a sign.
   Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found,
                    const Is_vertex_inside& is_vertex_inside)
-      : placing({&a, &b}), solid_{&a, &b}, joined_{covering::Union_find(a.sides().place_count()), covering::Union_find(b.sides().place_count())},
+      : placing({&a, &b}),
+        solid_{&a, &b},
+        joined_{covering::Union_find(a.sides().place_count()), covering::Union_find(b.sides().place_count())},
         is_vertex_inside_(is_vertex_inside)
   {
     for (const Found_piece& piece : found.pieces) {
@@ -131,8 +136,7 @@ class Crossing_overlap {
   }
 
   /// Returns the volume and the centroid. Faces that are wholly inside are summed over the model.
-  kernel::Exact_solid value()
-    requires std::is_same_v<N, mpz_class>
+  kernel::Exact_solid value() requires std::is_same_v<N, mpz_class>
   {
     kernel::Volume_moment whole;
     for (int body = 0; body < 2; ++body)
