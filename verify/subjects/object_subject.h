@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/tetratree/door/nearest.h"
+#include "tetracone/tetratree/door/overlap.h"
 #include "verify/cases/case.h"
 #include "verify/subjects/running.h"
 #include "verify/subjects/subject.h"
