@@ -195,7 +195,7 @@ Proof.
   assert (A := square (vx m)). assert (B := square (vy m)). assert (C := square (vz m)). lra.
 Qed.
 
-Lemma gap_is_far n d strictly (gap : Q) m p q : 0 < gap -> gap <= dot m q - dot m p ->
+Lemma gap_is_far n d (strictly : bool) (gap : Q) m p q : 0 < gap -> gap <= dot m q - dot m p ->
   (if strictly then (n # d) * dot m m < gap * gap else (n # d) * dot m m <= gap * gap) -> far n d strictly p q.
 Proof.
   intros positive wide enough. assert (C := cauchy m p q). assert (Hm := square_positive m).
@@ -208,4 +208,182 @@ Proof.
   - destruct strictly.
     + destruct (Qlt_le_dec (n # d) (apart p q)); [assumption | exfalso; nra].
     + destruct (Qlt_le_dec (apart p q) (n # d)); [exfalso; nra | assumption].
+Qed.
+
+(** What is shown of two placed pieces, by the integers of their corners. *)
+Definition far_hulls (n : Z) (d : positive) (strictly : bool) (ua ub : positive) (_ : Q) (a b : list grid) : Prop :=
+  forall p q, hull (map (over ua) a) p -> hull (map (over ub) b) q -> far n d strictly p q.
+
+Lemma hull_of_piece u (l : list (list grid)) piece p : In piece l -> hull (map (over u) piece) p -> hull (map (over u) (concat l)) p.
+Proof.
+  intros piece_in. apply hull_incl. intros v v_in. apply in_map_iff in v_in as (w & <- & w_in).
+  apply in_map, in_concat. exists piece. auto.
+Qed.
+
+Lemma gap_leaf_sound n d strictly ua ub m t0 t1 la lb : gap_leaf n d strictly ua ub m t0 t1 la lb = true ->
+  forall t a b, t0 <= t <= t1 -> In a la -> In b lb -> far_hulls n d strictly ua ub t a b.
+Proof.
+  unfold gap_leaf. intros H t a b _ a_in b_in p q at_p at_q.
+  apply (hull_of_piece ua la) in at_p; [|assumption]. apply (hull_of_piece ub lb) in at_q; [|assumption].
+  destruct (reach m (concat la)) as [ka|] eqn:reach_a.
+  2: { apply reach_none in reach_a. rewrite reach_a in at_p. destruct (hull_has_a_corner _ _ at_p) as (v & []). }
+  destruct (reach (opposite m) (concat lb)) as [kb|] eqn:reach_b.
+  2: { apply reach_none in reach_b. rewrite reach_b in at_q. destruct (hull_has_a_corner _ _ at_q) as (v & []). }
+  assert (at_most := reach_hull m _ ka ua p reach_a at_p).
+  assert (at_least := reach_hull _ _ kb ub q reach_b at_q). rewrite opposite_dot in at_least.
+  apply andb_prop in H as (positive & enough). apply Z.ltb_lt in positive.
+  set (gap := (- (kb * Zpos ua) - ka * Zpos ub)%Z) in *.
+  assert (gap_is : gap # (ua * ub) == - (kb # ub) - (ka # ua)).
+  { unfold gap, Qminus, Qeq, Qplus, Qopp; cbn [Qnum Qden]. rewrite ?Pos2Z.inj_mul. ring. }
+  apply (gap_is_far n d strictly (gap # (ua * ub)) (over 1 m)).
+  - unfold Qlt; simpl. lia.
+  - rewrite gap_is. lra.
+  - destruct strictly; rewrite dot_over.
+    + apply Z.ltb_lt in enough. unfold Qlt, Qmult; cbn [Qnum Qden]. rewrite ?Pos2Z.inj_mul. nia.
+    + apply Z.leb_le in enough. unfold Qle, Qmult; cbn [Qnum Qden]. rewrite ?Pos2Z.inj_mul. nia.
+Qed.
+
+Lemma placed_piece m b piece : In piece (map snd (contents (groups b))) ->
+  In (map (zplace m (unit b)) (concat piece)) (map snd (contents (place_corners m b))).
+Proof.
+  intros H. unfold place_corners. rewrite contents_map, map_map. simpl.
+  rewrite <- (map_map snd (fun f => map (zplace m (unit b)) (concat f))). apply (in_map (fun f => map (zplace m (unit b)) (concat f))). exact H.
+Qed.
+
+Lemma surface_in_placed_pieces m b p : check_body b = true -> surface (body_at (moved m b) b) p ->
+  exists piece, In piece (map snd (contents (place_corners m b))) /\ hull (map (over (unit_at m b)) piece) p.
+Proof.
+  intros accepted at_p. destruct (surface_in_pieces b (moved m b) p accepted at_p) as (piece & piece_in & in_hull).
+  exists (map (zplace m (unit b)) (concat piece)). split; [apply placed_piece; assumption|].
+  apply (hull_same _ (map (moved m b) (concat piece)) p p); [apply corners_same | reflexivity | assumption].
+Qed.
+
+(** Every two points of the placed surfaces are as far apart as an accepted cover says. *)
+Theorem cover_shows_distance n d strictly ma a mb b c : check_body a = true -> check_body b = true ->
+  check_gap n d strictly ma a mb b c = true ->
+  forall p q, surface (body_at (moved ma a) a) p -> surface (body_at (moved mb b) b) q -> far n d strictly p q.
+Proof.
+  intros body_a body_b accepted p q at_p at_q.
+  destruct (surface_in_placed_pieces ma a p body_a at_p) as (x & x_in & x_hull).
+  destruct (surface_in_placed_pieces mb b q body_b at_q) as (y & y_in & y_hull).
+  apply (covers_sound _ (far_hulls n d strictly (unit_at ma a) (unit_at mb b)) (gap_leaf_sound _ _ _ _ _) _ _ _ _ _ accepted no_time x y);
+    try assumption. split; apply Qle_refl.
+Qed.
+
+(** An accepted cover of the surfaces proves that they share no point. *)
+Theorem cover_proves_apart ma a mb b c : check_body a = true -> check_body b = true -> check_gap 0 1 false ma a mb b c = true ->
+  ~ exists p, surface (body_at (moved ma a) a) p /\ surface (body_at (moved mb b) b) p.
+Proof.
+  intros body_a body_b accepted (p & at_a & at_b).
+  destruct (cover_shows_distance _ _ _ _ _ _ _ _ body_a body_b accepted p p at_a at_b) as (positive & _).
+  unfold apart, dot, minus in positive; simpl in positive. ring_simplify in positive. lra.
+Qed.
+
+(** ** Winding number along a generic ray *)
+
+Open Scope Z_scope.
+
+(** The least product of a direction with the corners of pieces: more than k over the unit of k. *)
+Definition beyond (m : grid) (k : Z) (uk uf : positive) (corners : list grid) : bool :=
+  match reach (opposite m) corners with
+  | Some r => k * Zpos uf <? - r * Zpos uk
+  | None => true
+  end.
+
+Definition winding_leaf (up : positive) (p d : grid) (uf : positive) (c : passage) (l : list (positive * zface)) : option Z :=
+  match c, l with
+  | Passes m, _ =>
+      if (zdot m d <=? 0) && beyond m (zdot m p) up uf (flat_map (fun x => concat (snd x)) l) then Some 0 else None
+  | Crossed n u, [(_, f)] =>
+      let g := view up p uf f in
+      match concat g with
+      | [] => None
+      | v :: _ =>
+          let h := zdot n v in
+          if (0 <? h) && (0 <? zdot n d) && forallb (fun v => (zdot n v =? h) && negb (zdet d u v =? 0)) (concat g) &&
+             forallb (fun e => negb (zdet d (fst e) (snd e) =? 0) || (0 <? zdet d u (fst e) * zdet d u (snd e))) (edges g)
+          then Some (sum (fun e => zturn d u (fst e) (snd e)) (edges g)) else None
+      end
+  | _, _ => None
+  end.
+
+(** The winding number of p in the placed body, by the ray from p along d; none where that is not shown. *)
+Definition check_winding (up : positive) (p d : grid) (m : zpose) (b : zbody) (c : passage) : option Z :=
+  passages (winding_leaf up p d (unit_at m b)) c (place_pieces m b).
+
+Definition adds_number (up : positive) (p d : grid) (uf : positive) (x : positive * zface) (w : Z) : Prop :=
+  adds (over up p) (over 1 d) (face_over uf (snd x)) w.
+
+Lemma beyond_sound m k uk uf corners v : beyond m k uk uf corners = true -> In v corners -> (k # uk < dot (over 1 m) (over uf v))%Q.
+Proof.
+  unfold beyond. intros H v_in. rewrite dot_over.
+  destruct (reach (opposite m) corners) as [r|] eqn:reached; [|apply reach_none in reached; subst; contradiction].
+  apply Z.ltb_lt in H. assert (A := reach_above _ _ _ reached v v_in).
+  assert (O : zdot (opposite m) v = - zdot m v) by (unfold zdot, opposite; simpl; ring).
+  unfold Qlt; simpl. nia.
+Qed.
+
+Lemma winding_leaf_sound up p d uf c l w : winding_leaf up p d uf c l = Some w ->
+  exists ws, Forall2 (adds_number up p d uf) l ws /\ sum (fun x => x) ws = w.
+Proof.
+  destruct c as [m|n u| |parts]; simpl; intros H; try discriminate.
+  - destruct ((zdot m d <=? 0) && _) eqn:accepted; [|discriminate]. injection H as <-. apply andb_prop in accepted as (backward & ahead).
+    exists (map (fun _ => 0) l). split; [|clear; induction l; simpl; auto].
+    assert (each : forall x, In x l -> adds_number up p d uf x 0).
+    { intros (k & f) x_in. left. split; [|reflexivity]. exists (over 1 m). split.
+      - apply Z.leb_le in backward. rewrite dot_over. unfold Qle; simpl. lia.
+      - intros v v_in. unfold face_over, image in v_in. rewrite <- concat_map in v_in. apply in_map_iff in v_in as (zv & <- & v_in).
+        assert (inside : In zv (flat_map (fun x => concat (snd x)) l)) by (apply in_flat_map; exists (k, f); auto).
+        assert (B := beyond_sound _ _ _ _ _ _ ahead inside). rewrite <- dot_over in B.
+        assert (difference : (dot (over 1 m) (minus (over uf zv) (over up p)) == dot (over 1 m) (over uf zv) - dot (over 1 m) (over up p))%Q)
+          by (unfold dot, minus; simpl; ring).
+        rewrite difference. lra. }
+    clear - each. induction l as [|x l IH]; simpl; constructor; [apply each; left; reflexivity | apply IH; intros; apply each; right; assumption].
+  - destruct l as [|(k & f) [|]]; try discriminate.
+    destruct (concat (view up p uf f)) as [|v0 corners] eqn:C; [discriminate|].
+    match type of H with (if ?e then _ else _) = _ => destruct e eqn:accepted; [|discriminate] end. injection H as <-.
+    apply andb_prop in accepted as (accepted & off_edges). apply andb_prop in accepted as (accepted & all).
+    apply andb_prop in accepted as (high & forward).
+    apply Z.ltb_lt in high. apply Z.ltb_lt in forward. rewrite forallb_forall in off_edges, all.
+    exists [sum (fun e => zturn d u (fst e) (snd e)) (edges (view up p uf f))]. split; [|simpl; lia].
+    constructor; [|constructor]. right.
+    exists (over 1 n), (zdot n v0 # (up * uf))%Q, (over 1 u).
+    split; [unfold Qlt; simpl; lia|]. split; [rewrite dot_over; unfold Qlt; simpl; lia|]. split; [|split].
+    + intros v v_in. simpl in v_in. unfold face_over, image in v_in. rewrite <- concat_map in v_in. apply in_map_iff in v_in as (zv & <- & v_in).
+      assert (inside : In (seen up p uf zv) (concat (view up p uf f))) by (unfold view; rewrite <- concat_map; apply in_map; assumption).
+      rewrite C in inside. specialize (all _ inside). bools. rewrite <- seen_over, dot_over, zdet_zero. rewrite H. split; [reflexivity | assumption].
+    + intros e e_in. simpl in e_in. unfold face_over, image in e_in. rewrite edges_map in e_in. apply in_map_iff in e_in as ((a & b) & <- & e_in).
+      assert (inside : In (seen up p uf a, seen up p uf b) (edges (view up p uf f))).
+      { unfold view. rewrite edges_map. apply in_map_iff. exists (a, b). auto. }
+      specialize (off_edges _ inside). simpl in off_edges |- *. rewrite <- !seen_over, zdet_zero, !det_over.
+      apply Bool.orb_true_iff in off_edges as [off|off]; bools; [left; assumption|right].
+      unfold Qlt, Qmult; cbn [Qnum Qden]. lia.
+    + simpl. apply zturns_are_turns.
+Qed.
+
+Lemma adds_same_loops p d f g w : same_loops f g -> adds p d f w -> adds p d g w.
+Proof.
+  intros fg [((m & backward & ahead) & ->)|(n & h & u & high & forward & corners & off & total)].
+  - left. split; [|reflexivity]. exists m. split; [assumption|]. intros v v_in.
+    destruct (corner_same_loops f g v fg v_in) as (x & x_in & xv). rewrite <- xv. auto.
+  - right. exists n, h, u. split; [assumption|]. split; [assumption|]. split; [|split].
+    + intros v v_in. destruct (corner_same_loops f g v fg v_in) as (x & x_in & xv). rewrite <- xv. auto.
+    + intros e e_in. destruct (edges_same_loops g f (same_loops_symmetric _ _ fg) e e_in) as (c & c_in & first & second).
+      rewrite <- first, <- second. auto.
+    + rewrite <- total. symmetry. apply turns_same_loops. assumption.
+Qed.
+
+(** The sum along an accepted generic ray is the winding number of the point in the body of the placed pieces. *)
+Theorem ray_sum_is_winding up p d m b c w : check_body b = true -> check_winding up p d m b c = Some w ->
+  winding (pieces_at (moved m b) b) (over up p) w.
+Proof.
+  intros body_b accepted. unfold check_winding in accepted.
+  destruct (passages_sound _ (adds_number up p d (unit_at m b)) (winding_leaf_sound up p d (unit_at m b)) _ _ _ accepted) as (ws & all & total).
+  unfold place_pieces in all. rewrite contents_map in all.
+  assert (moved_adds : Forall2 (adds (over up p) (over 1 d)) (map (image (moved m b)) (map snd (contents (groups b)))) ws).
+  { clear - all. revert ws all. induction (contents (groups b)) as [|x l IH]; intros ws all; inversion all; subst; simpl; constructor; auto.
+    apply (adds_same_loops _ _ _ _ _ (place_face_same m b (snd x))). assumption. }
+  assert (P := Permutation_map (image (moved m b)) (body_is_whole b body_b)).
+  destruct (Permutation_Forall2 P moved_adds) as (vs & permuted & all').
+  exists (over 1 d), vs. split; [exact all'|]. rewrite <- total. symmetry. apply sum_permutation. assumption.
 Qed.
