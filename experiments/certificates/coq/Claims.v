@@ -387,3 +387,161 @@ Proof.
   destruct (Permutation_Forall2 P moved_adds) as (vs & permuted & all').
   exists (over 1 d), vs. split; [exact all'|]. rewrite <- total. symmetry. apply sum_permutation. assumption.
 Qed.
+
+(** ** Every shell of a body has a corner of which something is known *)
+
+Inductive link := Start (v : grid) | Next (from : positive).
+
+Definition faces_by_number (b : zbody) : PositiveMap.t zface :=
+  fold_left (fun m x => PositiveMap.add (fst x) (snd x) m) (numbered 1 (map fst (cut_faces b))) (PositiveMap.empty zface).
+
+Definition has_corner (v : grid) (f : zface) : bool := existsb (equal v) (concat f).
+
+(** Each step adds face number k, which has one of the corners, or one in common with a face before. *)
+Fixpoint reached (all : PositiveMap.t zface) (corners : list grid) (steps : list (positive * link)) (before : PositiveMap.t zface) : PositiveMap.t zface :=
+  match steps with
+  | [] => before
+  | (k, l) :: rest =>
+      match PositiveMap.find k all with
+      | None => before
+      | Some f =>
+          let ok := match l with
+                    | Start v => existsb (equal v) corners && has_corner v f
+                    | Next j => match PositiveMap.find j before with
+                                | Some g => existsb (fun v => has_corner v g) (concat f)
+                                | None => false
+                                end
+                    end in
+          if ok then reached all corners rest (PositiveMap.add k f before) else before
+      end
+  end.
+
+Definition check_links (b : zbody) (corners : list grid) (steps : list (positive * link)) : bool :=
+  let done := reached (faces_by_number b) corners steps (PositiveMap.empty zface) in
+  forallb (fun x => match PositiveMap.find (fst x) done with Some _ => true | None => false end) (numbered 1 (map fst (cut_faces b))).
+
+(** A corner of one body, and its ray against the other. *)
+Record corner_ray := Corner_ray { corner : grid; ray : grid; proof : passage }.
+
+(** The winding number in B of a corner of A. *)
+Definition corner_winding (ma : zpose) (a : zbody) (mb : zpose) (b : zbody) (c : corner_ray) : option Z :=
+  check_winding (unit_at ma a) (zplace ma (unit a) (corner c)) (ray c) mb b (proof c).
+
+(** Each shell of A has a corner whose winding number in B is 0, or is not 0 where [inside]. *)
+Definition check_shells (inside : bool) (ma : zpose) (a : zbody) (mb : zpose) (b : zbody) (rays : list corner_ray) (steps : list (positive * link)) : bool :=
+  is_closed b &&
+  forallb (fun c => match corner_winding ma a mb b c with Some w => Bool.eqb inside (negb (w =? 0)) | None => false end) rays &&
+  check_links a (map corner rays) steps.
+
+Lemma find_numbered (l : list zface) : forall k n f m,
+  PositiveMap.find n (fold_left (fun m x => PositiveMap.add (fst x) (snd x) m) (numbered k l) m) = Some f ->
+  In (n, f) (numbered k l) \/ PositiveMap.find n m = Some f.
+Proof. intros k n f m. apply at_number_found. Qed.
+
+Section Links.
+Variable place_of : grid -> point.
+Variable b : zbody.
+Variable P : point -> Prop.
+Variable corners : list grid.
+Hypothesis known : forall v, In v corners -> P (place_of v).
+
+Let good (done : PositiveMap.t zface) : Prop := forall k f, PositiveMap.find k done = Some f ->
+  In (k, f) (numbered 1 (map fst (cut_faces b))) /\ linked (body_at place_of b) P (image place_of f).
+
+Lemma numbered_in k (f : zface) n l : In (k, f) (numbered n l) -> In f l.
+Proof. intros H. rewrite <- (numbered_pieces n l). apply (in_map snd) in H. exact H. Qed.
+
+Lemma face_in_body k f : In (k, f) (numbered 1 (map fst (cut_faces b))) -> In (image place_of f) (body_at place_of b).
+Proof.
+  intros H. apply numbered_in in H. unfold body_at. rewrite <- (map_map fst (image place_of)). apply in_map. exact H.
+Qed.
+
+Lemma corner_in_image v f : has_corner v f = true -> In (place_of v) (concat (image place_of f)).
+Proof.
+  unfold has_corner, image. intros H. apply existsb_exists in H as (w & w_in & E). apply equal_same in E. subst w.
+  rewrite <- concat_map. apply in_map. exact w_in.
+Qed.
+
+Lemma reached_good steps : forall before, good before -> good (reached (faces_by_number b) corners steps before).
+Proof.
+  induction steps as [|[k l] rest IH]; simpl; intros before G; [exact G|].
+  destruct (PositiveMap.find k (faces_by_number b)) as [f|] eqn:found; [|exact G].
+  apply find_numbered in found as [found|none]; [|rewrite PositiveMap.gempty in none; discriminate].
+  match goal with |- good (if ?e then _ else _) => destruct e eqn:ok; [|exact G] end.
+  apply IH. intros n g at_n. destruct (Pos.eq_dec n k) as [->|different].
+  - rewrite PositiveMap.gss in at_n. injection at_n as <-. split; [assumption|].
+    destruct l as [v|j].
+    + apply andb_prop in ok as (is_known & in_f). apply existsb_exists in is_known as (w & w_in & E). apply equal_same in E. subst w.
+      apply (Linked_here _ _ _ (place_of v)); [eapply face_in_body; eassumption | apply corner_in_image; assumption | auto].
+    + destruct (PositiveMap.find j before) as [g|] eqn:at_j; [|discriminate]. destruct (G j g at_j) as (_ & link_g).
+      apply existsb_exists in ok as (v & v_in & in_g).
+      apply (Linked_on _ _ (image place_of g) _ (place_of v) (place_of v)); [assumption | eapply face_in_body; eassumption |
+        apply corner_in_image; assumption | | reflexivity].
+      unfold image. rewrite <- concat_map. apply in_map. exact v_in.
+  - rewrite PositiveMap.gso in at_n by assumption. auto.
+Qed.
+
+Lemma numbered_unique (l : list zface) : forall k n f g, In (n, f) (numbered k l) -> In (n, g) (numbered k l) -> f = g.
+Proof.
+  induction l as [|x l IH]; simpl; intros k n f g F G; [contradiction|]. destruct F as [F|F], G as [G|G].
+  - congruence.
+  - injection F as -> ->. apply numbered_above in G. simpl in G. lia.
+  - injection G as -> ->. apply numbered_above in F. simpl in F. lia.
+  - eauto.
+Qed.
+
+Theorem links_sound steps : check_links b corners steps = true -> every_shell (body_at place_of b) P.
+Proof.
+  unfold check_links. intros H f f_in. rewrite forallb_forall in H.
+  assert (G : good (reached (faces_by_number b) corners steps (PositiveMap.empty zface))).
+  { apply reached_good. intros k g none. rewrite PositiveMap.gempty in none. discriminate. }
+  unfold body_at in f_in. rewrite <- (map_map fst (image place_of)) in f_in. apply in_map_iff in f_in as (zf & <- & f_in).
+  rewrite <- (numbered_pieces 1 (map fst (cut_faces b))) in f_in. apply in_map_iff in f_in as ((k & g) & E & f_in). simpl in E. subst g.
+  specialize (H _ f_in). cbn [fst] in H.
+  destruct (PositiveMap.find k (reached (faces_by_number b) corners steps (PositiveMap.empty zface))) as [g|] eqn:at_k; [|discriminate].
+  destruct (G k g at_k) as (g_in & link_g). rewrite (numbered_unique _ _ _ _ _ f_in g_in). exact link_g.
+Qed.
+End Links.
+
+Lemma winding_same b p q w : same p q -> winding b p w -> winding b q w.
+Proof.
+  intros pq (d & ws & all & total). exists d, ws. split; [|assumption]. clear total.
+  induction all as [|f w' fs ws adds_f _ IH]; constructor; auto.
+  destruct adds_f as [((m & backward & ahead) & ->)|(n & h & u & high & forward & corners & off & total)].
+  - left. split; [|reflexivity]. exists m. split; [assumption|]. intros v v_in. rewrite <- pq. auto.
+  - right. exists n, h, u. split; [assumption|]. split; [assumption|]. split; [|split].
+    + intros v v_in. rewrite <- pq. auto.
+    + intros e e_in. rewrite <- pq. auto.
+    + rewrite <- total. unfold turns. apply sum_ext. intros e _. rewrite pq. reflexivity.
+Qed.
+
+(** The corner has a winding number in the body: 0, or another where [inside]. *)
+Definition is_inside (inside : bool) (b : body) (p : point) : Prop := exists w, winding b p w /\ (if inside then w <> 0 else w = 0).
+
+Theorem shells_sound inside ma a mb b rays steps : check_body b = true -> check_shells inside ma a mb b rays steps = true ->
+  every_shell (body_at (moved ma a) a) (is_inside inside (pieces_at (moved mb b) b)).
+Proof.
+  intros body_b H. unfold check_shells in H. apply andb_prop in H as (H & links). apply andb_prop in H as (_ & H).
+  rewrite forallb_forall in H. apply (links_sound (moved ma a) a _ (map corner rays)) with (steps := steps); [|assumption].
+  intros v v_in. apply in_map_iff in v_in as (c & <- & c_in). specialize (H c c_in).
+  destruct (corner_winding ma a mb b c) as [w|] eqn:W; [|discriminate]. exists w. split.
+  - apply (winding_same _ (over (unit_at ma a) (zplace ma (unit a) (corner c)))); [apply zplace_is_place|].
+    exact (ray_sum_is_winding _ _ _ _ _ _ _ body_b W).
+  - destruct (Z.eqb_spec w 0), inside; try discriminate; assumption.
+Qed.
+
+(** Two solids are apart: their surfaces share no point, and each shell of either has a corner whose winding number in the other is 0. *)
+Theorem solids_apart ma a mb b c rays_a steps_a rays_b steps_b : check_body a = true -> check_body b = true ->
+  check_gap 0 1 false ma a mb b c = true ->
+  check_shells false ma a mb b rays_a steps_a = true -> check_shells false mb b ma a rays_b steps_b = true ->
+  (~ exists p, surface (body_at (moved ma a) a) p /\ surface (body_at (moved mb b) b) p) /\
+  every_shell (body_at (moved ma a) a) (fun v => winding (pieces_at (moved mb b) b) v 0) /\
+  every_shell (body_at (moved mb b) b) (fun v => winding (pieces_at (moved ma a) a) v 0).
+Proof.
+  intros body_a body_b cover shells_a shells_b. split; [|split].
+  - exact (cover_proves_apart ma a mb b c body_a body_b cover).
+  - assert (S := shells_sound _ _ _ _ _ _ _ body_b shells_a). intros f f_in. specialize (S f f_in).
+    clear - S. induction S as [f v f_in v_in (w & W & ->)|f g v w _ IH g_in v_in w_in vw]; [eapply Linked_here | eapply Linked_on]; eassumption.
+  - assert (S := shells_sound _ _ _ _ _ _ _ body_a shells_b). intros f f_in. specialize (S f f_in).
+    clear - S. induction S as [f v f_in v_in (w & W & ->)|f g v w _ IH g_in v_in w_in vw]; [eapply Linked_here | eapply Linked_on]; eassumption.
+Qed.

@@ -106,3 +106,13 @@ Definition winding (b : body) (p : point) (w : Z) : Prop :=
 
 (** The solid: the surface, and the points whose winding number is not 0. *)
 Definition solid (b : body) (p : point) : Prop := surface b p \/ (exists w, winding b p w /\ w <> 0%Z).
+
+(** ** Shells: faces that are connected by corners at a common place *)
+
+(** From a corner of which P is known, face after face, to this one. *)
+Inductive linked (b : body) (P : point -> Prop) : face -> Prop :=
+| Linked_here f v : In f b -> In v (concat f) -> P v -> linked b P f
+| Linked_on f g v w : linked b P f -> In g b -> In v (concat f) -> In w (concat g) -> same v w -> linked b P g.
+
+(** P is known of a corner of each shell. *)
+Definition every_shell (b : body) (P : point -> Prop) : Prop := forall f, In f b -> linked b P f.
