@@ -53,10 +53,15 @@ Proof.
   simpl. rewrite map_app, contents_map, IH. reflexivity.
 Qed.
 
-Lemma body_is_whole b : check_body b = true -> Permutation (map snd (contents (groups b))) (pieces (cut_faces b)).
+Lemma body_is_numbered b : check_body b = true -> Permutation (numbered 1 (pieces (cut_faces b))) (contents (groups b)).
 Proof.
   intros H. unfold check_body in H. bools.
   apply (whole_sound equal_faces); [|assumption]. apply equal_lists_sound, equal_lists_sound, equal_same.
+Qed.
+
+Lemma body_is_whole b : check_body b = true -> Permutation (map snd (contents (groups b))) (pieces (cut_faces b)).
+Proof.
+  intros H. apply body_is_numbered in H. rewrite <- (numbered_pieces 1 (pieces (cut_faces b))). apply Permutation_map, Permutation_sym, H.
 Qed.
 
 (** Each point of the placed surface is in the hull of a placed piece. *)
@@ -277,6 +282,33 @@ Proof.
   intros body_a body_b accepted (p & at_a & at_b).
   destruct (cover_shows_distance _ _ _ _ _ _ _ _ body_a body_b accepted p p at_a at_b) as (positive & _).
   unfold apart, dot, minus in positive; simpl in positive. ring_simplify in positive. lra.
+Qed.
+
+(** ** A plane between: no point of A is beyond one of B *)
+
+Definition check_plane (m : grid) (ma : zpose) (a : zbody) (mb : zpose) (b : zbody) : bool :=
+  match reach m (flat_map snd (contents (place_corners ma a))), reach (opposite m) (flat_map snd (contents (place_corners mb b))) with
+  | Some x, Some y => (x * Zpos (unit_at mb b) <=? - y * Zpos (unit_at ma a))%Z
+  | _, _ => false
+  end.
+
+Lemma surface_reach d k m b p : check_body b = true -> reach d (flat_map snd (contents (place_corners m b))) = Some k ->
+  surface (body_at (moved m b) b) p -> dot (over 1 d) p <= k # unit_at m b.
+Proof.
+  intros accepted reached at_p. destruct (surface_in_placed_pieces m b p accepted at_p) as (piece & piece_in & in_hull).
+  apply (reach_hull _ _ _ _ _ reached). apply (hull_incl (map (over (unit_at m b)) piece)); [|exact in_hull].
+  intros v v_in. apply in_map_iff in v_in as (w & <- & w_in). apply in_map, in_flat_map.
+  apply in_map_iff in piece_in as (x & <- & x_in). exists x. auto.
+Qed.
+
+Theorem plane_is_between m ma a mb b : check_body a = true -> check_body b = true -> check_plane m ma a mb b = true ->
+  forall p q, surface (body_at (moved ma a) a) p -> surface (body_at (moved mb b) b) q -> dot (over 1 m) p <= dot (over 1 m) q.
+Proof.
+  intros body_a body_b accepted p q at_p at_q. unfold check_plane in accepted.
+  destruct (reach m _) as [x|] eqn:X; [|discriminate]. destruct (reach (opposite m) _) as [y|] eqn:Y; [|discriminate].
+  assert (A := surface_reach _ _ _ _ _ body_a X at_p). assert (B := surface_reach _ _ _ _ _ body_b Y at_q). rewrite opposite_dot in B.
+  apply Z.leb_le in accepted.
+  assert (x # unit_at ma a <= - (y # unit_at mb b)) by (unfold Qle, Qopp; cbn [Qnum Qden]; lia). lra.
 Qed.
 
 (** ** Winding number along a generic ray *)

@@ -58,10 +58,9 @@ Proof.
   - rewrite PositiveMap.gso in H by congruence. auto.
 Qed.
 
-Theorem whole_sound l g : is_whole l g = true -> Permutation (map snd (contents g)) l.
+Theorem whole_sound l g : is_whole l g = true -> Permutation (numbered 1 l) (contents g).
 Proof.
   unfold is_whole. intros H. bools. rewrite forallb_forall in H. apply Nat.leb_le in H0.
-  rewrite <- (numbered_pieces 1 l) at 1. apply Permutation_map, Permutation_sym.
   apply NoDup_Permutation_bis; [apply numbered_distinct | assumption |].
   intros [k p] inside. specialize (H _ inside). simpl in H.
   destruct (PositiveMap.find k _) as [q|] eqn:found in H; [|discriminate].

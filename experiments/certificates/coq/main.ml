@@ -326,17 +326,20 @@ let read_body entry path =
 
 let identity = { Core.zrows = { Core.vx = ints 1 0 0; vy = ints 0 1 0; vz = ints 0 0 1 }; zshift = zero; pose_unit = Z.one }
 
-let pose_of numbers =
-  let u = unit_of numbers in
-  match List.map (times u) numbers with
+let pose_over unit numbers =
+  match List.map (times unit) numbers with
   | [a; b; c; x; d; e; f; y; g; h; i; z] ->
       let row vx vy vz = { Core.vx; vy; vz } in
-      let r1 = row a b c and r2 = row d e f and r3 = row g h i in
-      need_form (Z.sign (Core.zdet r1 r2 r3) <> 0) "a pose is flat";
-      { Core.zrows = { Core.vx = r1; vy = r2; vz = r3 }; zshift = row x y z; pose_unit = u }
+      { Core.zrows = { Core.vx = row a b c; vy = row d e f; vz = row g h i }; zshift = row x y z; pose_unit = unit }
   | _ -> assert false
 
-let pose entry = pose_of (vector ~number:given ~size:12 entry)
+let pose_numbers entry =
+  let numbers = vector ~number:given ~size:12 entry in
+  let r = (pose_over (unit_of numbers) numbers).zrows in
+  need_form (Z.sign (Core.zdet r.vx r.vy r.vz) <> 0) "a pose is flat";
+  numbers
+
+let pose numbers = pose_over (unit_of numbers) numbers
 
 (* Covers *)
 
@@ -481,11 +484,17 @@ let need_gap ?(square = Q.zero) ?(strictly = false) answer bodies poses =
 let pair = ["ask"; "question"; "pose_a"; "pose_b"; "answer"]
 let cover_keys = ["directions"; "cover"]
 
-let placed_pair answer bodies =
+let need_pair answer bodies =
   need_form (Array.length bodies = 2) "there are not two bodies";
   let solid = match get answer "question" with String "solid" -> true | String "surface" -> false | _ -> bad "there is no such question" in
   if solid then Array.iter (fun b -> need (Core.is_closed b.core) "a body is not closed, and has no solid") bodies;
-  ([| pose (get answer "pose_a"); pose (get answer "pose_b") |], solid)
+  solid
+
+let poses_of answer names = Array.of_list (List.map (fun name -> pose (pose_numbers (get answer name))) names)
+
+let placed_pair answer bodies =
+  let solid = need_pair answer bodies in
+  (poses_of answer ["pose_a"; "pose_b"], solid)
 
 let prove_apart ?square ?strictly answer bodies poses solid =
   need_gap ?square ?strictly answer bodies poses;
@@ -557,10 +566,39 @@ let prove_inside answer bodies =
       need ((number <> 0) = (said = 1)) "the winding number says otherwise"
   | _ -> bad "there is no such answer"
 
+let prove_ray answer bodies =
+  keys answer ["ask"; "origin"; "direction"; "answer"] ("end" :: cover_keys);
+  need_form (Array.length bodies = 1) "there is not one body";
+  let body = bodies.(0) in
+  let o = vector ~number:given (get answer "origin") and d = vector ~number:given (get answer "direction") in
+  need_form (List.exists (fun x -> Q.sign x <> 0) d) "a direction is 0";
+  let last = if has answer "end" then Some (given (get answer "end")) else None in
+  let hit = match get answer "answer" with
+    | Null -> None
+    | hit -> keys hit ["face"; "t"] []; Some (index (Array.length body.loops) "face" (get hit "face"), exact (get hit "t")) in
+  match hit, last with
+  | None, Some t when Q.sign t < 0 -> ()
+  | _ ->
+      (match hit with
+       | Some (f, t) ->
+           need (Q.sign t >= 0 && (match last with Some e -> Q.leq t e | None -> true)) "the hit is not on the ray";
+           need (holds identity body (Int f) (List.map2 (fun x y -> Q.add x (Q.mul t y)) o d)) "the face does not hold the hit"
+       | None -> ());
+      let u = unit_of (o @ d) in
+      let of_q (t : Q.t) = { Core.qnum = t.num; qden = t.den } in
+      let last = match hit with Some (_, t) -> Some (of_q t) | None -> Option.map of_q last in
+      let first = Option.map (fun (f, _) -> Z.of_int body.first_piece.(f)) hit in
+      let no_crossing _ = bad "a node of a cover is none" in
+      let passage = passage_of (directions_of answer) no_crossing (get answer "cover") body.core.groups in
+      need (Core.check_ray u (grid_of u o) (grid_of u d) last first identity body.core passage) "the ray is not apart from a group"
+
 let prove_relation answer bodies =
   keys answer ["ask"; "pose_a"; "pose_b"; "answer"] ("witness" :: "plane" :: "windings" :: cover_keys);
   let poses, _ = placed_pair (match answer with Object l -> Object (("question", String "solid") :: l) | _ -> answer) bodies in
   match get answer "answer" with
+  | String "meet" ->
+      need (Q.equal (witness (get answer "witness") bodies poses []) Q.zero) "the points are not one";
+      need (Core.check_plane (direction (get answer "plane")) poses.(0) bodies.(0).core poses.(1) bodies.(1).core) "the plane does not separate"
   | String "overlap" ->
       let found = windings answer bodies poses in
       let side holder p = List.find_map (fun w -> if w.holder = holder && w.point = p then Some (w.number <> 0) else None) found in
@@ -572,7 +610,44 @@ let prove_relation answer bodies =
       let found = windings answer bodies poses in
       need_each_shell found bodies poses 0 (said = "inside");
       need_each_shell found bodies poses 1 (said = "contains")
-  | _ -> bad "this checker has no proof of that relation"
+  | _ -> bad "there is no such answer"
+
+let prove_motion answer bodies =
+  keys answer ["ask"; "question"; "from_a"; "to_a"; "from_b"; "to_b"; "answer"] ("witness" :: "windings" :: cover_keys);
+  let solid = need_pair answer bodies in
+  let start = poses_of answer ["from_a"; "from_b"] in
+  let numbers = List.map (fun name -> pose_numbers (get answer name)) ["from_a"; "to_a"; "from_b"; "to_b"] in
+  let ends = match numbers with
+    | [a0; a1; b0; b1] -> [(a0, a1); (b0, b1)]
+    | _ -> assert false in
+  let lo, hi = match get answer "answer" with
+    | Null -> (Q.one, None)
+    | times -> (match vector ~number:given ~size:2 times with [lo; hi] -> (lo, Some hi) | _ -> assert false) in
+  need_form (Q.sign lo >= 0 && Q.leq lo Q.one && (match hi with Some h -> Q.leq lo h && Q.leq h Q.one | None -> true)) "the times are not in order";
+  (match hi with
+   | None -> need_form (not (has answer "witness")) "a witness of no contact"
+   | Some hi when has answer "witness" ->
+       let time = exact (get (get answer "witness") "time") in
+       need (Q.leq lo time && Q.leq time hi) "the witness is not of its time";
+       let at_time (x, y) = pose (List.map2 (fun x y -> Q.add (Q.mul (Q.sub Q.one time) x) (Q.mul time y)) x y) in
+       let poses = Array.of_list (List.map at_time ends) in
+       need (Q.equal (witness (get answer "witness") bodies poses ["time"]) Q.zero) "the points are not one"
+   | Some hi ->
+       need (solid && Q.sign hi = 0) "there is no witness";
+       need (some_vertex_inside (windings answer bodies start)) "no vertex is inside of the other solid");
+  if hi <> Some Q.zero then begin
+    let over_both (x, y) = let u = unit_of (x @ y) in (pose_over u x, pose_over u y) in
+    let (a0, a1), (b0, b1) = match List.map over_both ends with [a; b] -> (a, b) | _ -> assert false in
+    let cover = cover_of (directions_of answer) (get answer "cover") in
+    let last = { Core.qnum = lo.num; qden = lo.den } in
+    let is_open = match hi with Some hi -> Q.equal lo hi | None -> false in
+    need (Core.check_motion last is_open a0 a1 bodies.(0).core b0 b1 bodies.(1).core cover) "two groups are not apart all the time";
+    if solid then begin
+      let found = windings answer bodies start in
+      need_each_shell found bodies start 0 false;
+      need_each_shell found bodies start 1 false
+    end
+  end
 
 (* The answers are about the numbers of the file, in order; one line serves all. *)
 let need_given answers key path =
@@ -587,49 +662,59 @@ let need_given answers key path =
     let at = if count = size then 0 else k * size in
     need (List.for_all2 Q.equal said (Array.to_list (Array.sub numbers at size))) (Printf.sprintf "answer %d is not about what %s says" k path)) answers
 
-let prove answer bodies =
-  match get answer "ask" with
-  | String "collide" -> prove_collide answer bodies
-  | String "distance" -> prove_distance answer bodies
-  | String "within" -> prove_within answer bodies
-  | String "inside" -> prove_inside answer bodies
-  | String "relation" -> prove_relation answer bodies
-  | String ask -> bad "this checker has no proof of '%s'" ask
-  | _ -> bad "an answer is to no question"
+let kinds = ["collide", prove_collide; "distance", prove_distance; "within", prove_within; "inside", prove_inside; "ray", prove_ray;
+             "relation", prove_relation; "motion", prove_motion]
 
-let said answer =
-  let rec show = function
-    | Null -> "null" | Bool b -> string_of_bool b | Int n -> string_of_int n | String s -> "\"" ^ s ^ "\""
-    | List l -> "[" ^ String.concat ", " (List.map show l) ^ "]"
-    | Object l -> "{" ^ String.concat ", " (List.map (fun (k, v) -> "\"" ^ k ^ "\": " ^ show v) l) ^ "}" in
-  text (get answer "ask") ^ " " ^ (if has answer "question" then text (get answer "question") else "-") ^ " " ^ show (get answer "answer")
+let rec show = function
+  | Null -> "null"
+  | Bool b -> string_of_bool b
+  | Int n -> string_of_int n
+  | String s -> "\"" ^ s ^ "\""
+  | List l -> "[" ^ String.concat ", " (List.map show l) ^ "]"
+  | Object l -> "{" ^ String.concat ", " (List.map (fun (k, v) -> "\"" ^ k ^ "\": " ^ show v) l) ^ "}"
+
+let prove text_of models givens print =
+  let certificate = parse text_of in
+  keys certificate ["certificate"; "bodies"; "answers"] [];
+  need_form (get certificate "certificate" = String "tetracone 1") "another version; expected tetracone 1";
+  let entries = rows (get certificate "bodies") and answers = rows (get certificate "answers") in
+  need_form (List.mem (List.length entries) [1; 2] && List.length models <= List.length entries && answers <> [])
+    "there are not one or two bodies, and answers";
+  let bodies = Array.of_list (List.mapi (fun k entry -> read_body entry (List.nth_opt models k)) entries) in
+  List.iter (fun word -> match String.index_opt word '=' with
+    | Some k when List.mem (String.sub word 0 k) ["pose_a"; "pose_b"; "from_a"; "to_a"; "from_b"; "to_b"; "point"; "ray"] ->
+        need_given answers (String.sub word 0 k) (String.sub word (k + 1) (String.length word - k - 1))
+    | _ -> bad "--given %s is unknown" word) givens;
+  List.iteri (fun k answer ->
+    let ask = text (get answer "ask") in
+    (match List.assoc_opt ask kinds with Some proof -> proof answer bodies | None -> bad "an answer is to no question");
+    let turned = Array.fold_left (fun s b -> if b.turned = 0 then s else Printf.sprintf "%s, with %d loops turned" s b.turned) "" bodies in
+    print (Printf.sprintf "%d %s %s %s proved%s" k ask (if has answer "question" then text (get answer "question") else "-") (show (get answer "answer")) turned))
+    answers
+
+(* The status and what is said of it. *)
+let judged text_of models givens print =
+  match prove text_of models givens print with
+  | () -> (0, "proved")
+  | exception Refused reason -> (1, "refused: " ^ reason)
+  | exception (Bad reason | Failure reason | Invalid_argument reason | Sys_error reason) -> (2, "bad input: " ^ String.map (fun c -> if c = '\n' then ' ' else c) reason)
+  | exception (Stack_overflow | Out_of_memory | Not_found | Division_by_zero | Z.Overflow) -> (2, "bad input: it is not made as a certificate is")
 
 let () =
   let rec arguments files givens = function
     | "--given" :: word :: rest -> arguments files (word :: givens) rest
     | word :: rest -> arguments (word :: files) givens rest
     | [] -> (List.rev files, List.rev givens) in
-  let files, givens = arguments [] [] (List.tl (Array.to_list Sys.argv)) in
-  let where = ref (match files with c :: _ -> c | [] -> "check") in
-  try
-    let certificate, models = match files with c :: m -> (c, m) | [] -> bad "expected CERTIFICATE [A [B]] [--given KEY=FILE]..." in
-    let whole = parse (read_bytes certificate) in
-    keys whole ["certificate"; "bodies"; "answers"] [];
-    need_form (get whole "certificate" = String "tetracone 1") "another version; expected tetracone 1";
-    let entries = rows (get whole "bodies") and answers = rows (get whole "answers") in
-    need_form (List.mem (List.length entries) [1; 2] && List.length models <= List.length entries && answers <> []) "it has not one or two bodies, and answers";
-    let bodies = Array.of_list (List.mapi (fun k entry -> read_body entry (List.nth_opt models k)) entries) in
-    List.iter (fun word -> match String.index_opt word '=' with
-      | Some k when List.mem (String.sub word 0 k) ["pose_a"; "pose_b"; "from_a"; "to_a"; "from_b"; "to_b"; "point"; "ray"] ->
-          need_given answers (String.sub word 0 k) (String.sub word (k + 1) (String.length word - k - 1))
-      | _ -> bad "--given %s is unknown" word) givens;
-    List.iteri (fun k answer ->
-      where := Printf.sprintf "%s: answer %d" certificate k;
-      prove answer bodies;
-      let turned = Array.fold_left (fun s b -> if b.turned = 0 then s else Printf.sprintf "%s, with %d loops turned" s b.turned) "" bodies in
-      Printf.printf "%d %s proved%s\n" k (said answer) turned) answers
-  with
-  | Refused reason -> Printf.eprintf "%s: refused: %s\n" !where reason; exit 1
-  | Bad reason -> Printf.eprintf "%s: bad input: %s\n" !where reason; exit 2
-  | Failure reason | Invalid_argument reason | Sys_error reason -> Printf.eprintf "%s: bad input: %s\n" !where reason; exit 2
-  | Stack_overflow -> Printf.eprintf "%s: bad input: it is nested too deeply\n" !where; exit 2
+  match arguments [] [] (List.tl (Array.to_list Sys.argv)) with
+  | [], _ -> prerr_endline "check: expected CERTIFICATE [A [B]] [--given KEY=FILE]..., or - for a certificate a line on standard input"; exit 2
+  | "-" :: models, givens ->
+      let rec each status = match input_line stdin with
+        | line -> let status', said = judged line models givens ignore in print_endline said; each (max status status')
+        | exception End_of_file -> status in
+      exit (each 0)
+  | file :: models, givens ->
+      let status, said = match read_bytes file with
+        | data -> judged data models givens print_endline
+        | exception Bad reason -> (2, "bad input: " ^ reason) in
+      if status > 0 then prerr_endline (file ^ ": " ^ said);
+      exit status
