@@ -319,7 +319,7 @@ let read_body entry path =
   let rec group = function
     | List members -> need_form (members <> []) "a group is empty"; Core.Many (List.map group members)
     | k -> one (index (Array.length pieces) "piece" k) in
-  let groups = if has entry "groups" then group (get entry "groups") else Core.Many (List.init (Array.length pieces) one) in
+  let groups = if has entry "groups" then group (get entry "groups") else Core.Many [Core.Many (List.init (Array.length pieces) one)] in  (* no node of a cover opens it *)
   let core = { Core.cut_faces = List.rev !core_faces; unit0 = unit; groups } in
   need (Core.check_body core) "a cut is not legal, or a piece is in no group or in two";
   { core; corners; loops; of_face; first_piece; turned = List.length turned }
