@@ -9,9 +9,10 @@ build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeige
   libjs-three)
 # For the fuzz targets, and what clang is faster by; its runtime is a package of its own: clang_runtime.
 fuzz_packages=(clang libjemalloc2)
-# For the tests of the sources' form, of error bounds, of the report, of the page in 3D, of the examples of subjects, of the Python package, its notebooks and the
-# Debian packages, which skip without them.
-test_packages=(clang-format clang-tidy gappa python3 python3-matplotlib python3-pil python3-selenium chromium chromium-driver libembree-dev
+# For the tests of the sources' form, of error bounds, of the checker proved in Coq, of the report, of the page in 3D, of the examples of subjects,
+# of the Python package, its notebooks and the Debian packages, which skip without them.
+test_packages=(clang-format clang-tidy gappa coq ocaml-nox ocaml-findlib libzarith-ocaml-dev
+  python3 python3-matplotlib python3-pil python3-selenium chromium chromium-driver libembree-dev
   python3-pip jupyter-nbconvert python3-ipykernel dpkg-dev)
 # For the Python package.
 python_packages=(pybind11-dev python3-dev python3-numpy)

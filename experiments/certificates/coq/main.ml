@@ -1,0 +1,720 @@
+(* check CERTIFICATE [A [B]] [--given KEY=FILE]...: proves the answers of a certificate of `tetracone ... --certificate FILE`.
+   Nothing here is proved: it reads files, numbers and JSON, finds what the certificate leaves to find (normals, rays in planes), and asks Core, which
+   was extracted from Coq. Core judges; what is found wrongly here is refused there. README.md says what is trusted.
+   Exit status: 0 all are proved, 1 one is refused, 2 bad input or a kind of answer that this checker has not. *)
+
+exception Bad of string
+exception Refused of string
+
+let bad format = Printf.ksprintf (fun s -> raise (Bad s)) format
+let need holds what = if not holds then raise (Refused what)
+let need_form holds what = if not holds then raise (Bad what)
+
+(* JSON: numbers are integers, keys are there once. *)
+
+type json = Null | Bool of bool | Int of int | String of string | List of json list | Object of (string * json) list
+
+let parse text =
+  let at = ref 0 in
+  let peek () = if !at < String.length text then text.[!at] else '\000' in
+  let rec skip () = match peek () with ' ' | '\t' | '\n' | '\r' -> incr at; skip () | _ -> () in
+  let expect c = if peek () = c then incr at else bad "byte %d: expected '%c'" !at c in
+  let word w value =
+    if !at + String.length w <= String.length text && String.sub text !at (String.length w) = w then (at := !at + String.length w; value)
+    else bad "byte %d: no JSON" !at in
+  let string () =
+    expect '"';
+    let out = Buffer.create 16 in
+    let rec go () =
+      if !at >= String.length text then bad "a string has no end";
+      match text.[!at] with
+      | '"' -> incr at
+      | '\\' ->
+          let c = if !at + 1 < String.length text then text.[!at + 1] else bad "a string has no end" in
+          at := !at + 2;
+          (match c with
+           | '"' | '\\' | '/' -> Buffer.add_char out c
+           | 'n' -> Buffer.add_char out '\n'
+           | 't' -> Buffer.add_char out '\t'
+           | 'u' ->
+               need_form (!at + 4 <= String.length text) "a string has no end";
+               (match int_of_string_opt ("0x" ^ String.sub text !at 4) with
+                | Some n when Uchar.is_valid n -> Buffer.add_utf_8_uchar out (Uchar.of_int n)
+                | _ -> bad "byte %d: no character" !at);
+               at := !at + 4
+           | _ -> bad "byte %d: an escape that is not known" !at);
+          go ()
+      | c when c < ' ' -> bad "byte %d: a control character" !at
+      | c -> incr at; Buffer.add_char out c; go () in
+    go ();
+    Buffer.contents out in
+  let rec value depth =
+    need_form (depth < 5000) "it is nested too deeply";
+    skip ();
+    let v = match peek () with
+      | '{' -> incr at; Object (items depth '}' (fun () -> skip (); let k = string () in skip (); expect ':'; (k, value (depth + 1))))
+      | '[' -> incr at; List (items depth ']' (fun () -> value (depth + 1)))
+      | '"' -> String (string ())
+      | 't' -> word "true" (Bool true)
+      | 'f' -> word "false" (Bool false)
+      | 'n' -> word "null" Null
+      | '-' | '0' .. '9' ->
+          let from = !at in
+          incr at;
+          while (match peek () with '0' .. '9' | '.' | 'e' | 'E' | '+' | '-' -> true | _ -> false) do incr at done;
+          let digits = String.sub text from (!at - from) in
+          need_form (String.for_all (fun c -> c = '-' || ('0' <= c && c <= '9')) digits) "a number with a point is not a string";
+          (match int_of_string_opt digits with Some n -> Int n | None -> bad "%s is no index" digits)
+      | _ -> bad "byte %d: no JSON" !at in
+    skip ();
+    v
+  and items : 'a. int -> char -> (unit -> 'a) -> 'a list = fun _ close item ->
+    skip ();
+    if peek () = close then (incr at; [])
+    else
+      let rec go found =
+        let x = item () in
+        skip ();
+        if peek () = ',' then (incr at; go (x :: found)) else (expect close; List.rev (x :: found)) in
+      go [] in
+  let v = value 0 in
+  if !at < String.length text then bad "byte %d: something stands after the end" !at;
+  v
+
+let keys entry required optional =
+  match entry with
+  | Object items ->
+      let names = List.map fst items in
+      if List.length (List.sort_uniq compare names) < List.length names then bad "a key is there twice";
+      List.iter (fun k -> if not (List.mem k names) then bad "the key %s is missing" k) required;
+      List.iter (fun k -> if not (List.mem k required || List.mem k optional) then bad "the key %s is not known here" k) names
+  | _ -> bad "an entry is no object"
+
+let get entry key =
+  match entry with
+  | Object items -> (match List.assoc_opt key items with Some v -> v | None -> bad "the key %s is missing" key)
+  | _ -> bad "an entry is no object"
+
+let has entry key = match entry with Object items -> List.mem_assoc key items | _ -> false
+let rows = function List l -> l | _ -> bad "a list is missing"
+let text = function String s -> s | _ -> bad "a text is missing"
+let index count what = function Int n when 0 <= n && n < count -> n | _ -> bad "no such %s" what
+
+(* Numbers *)
+
+let is_digits s = s <> "" && String.for_all (fun c -> '0' <= c && c <= '9') s
+let unsigned s = if s <> "" && (s.[0] = '-' || s.[0] = '+') then String.sub s 1 (String.length s - 1) else s
+
+let fraction s =
+  match String.split_on_char '/' s with
+  | [n; d] when is_digits (unsigned n) && is_digits d ->
+      let d = Z.of_string d in
+      need_form (Z.sign d > 0) "a fraction divides by 0";
+      let n' = Z.of_string (unsigned n) in
+      Q.make (if n.[0] = '-' then Z.neg n' else n') d
+  | _ -> bad "'%s' is no fraction" s
+
+(* A decimal is the double nearest to it, by the C library's strtod, and that is a fraction. *)
+let decimal s =
+  let number = unsigned s in
+  let mantissa, exponent = match String.index_opt (String.lowercase_ascii number) 'e' with
+    | Some k -> (String.sub number 0 k, unsigned (String.sub number (k + 1) (String.length number - k - 1)))
+    | None -> (number, "0") in
+  let digits = String.concat "" (String.split_on_char '.' mantissa) in
+  if not (is_digits digits && is_digits exponent && List.length (String.split_on_char '.' mantissa) <= 2) then bad "'%s' is not a number" s;
+  let x = float_of_string s in
+  if Float.is_integer x || Float.abs x < infinity then () else bad "%s is beyond the doubles" s;
+  if Float.abs x = infinity then bad "%s is beyond the doubles" s;
+  Q.of_float x
+
+let given = function
+  | String s -> if String.contains s '/' then fraction s else decimal s
+  | _ -> bad "a number is not a string"
+
+let exact = function
+  | String s when s <> "" && s.[0] <> '+' ->
+      if String.contains s '/' then fraction s
+      else if is_digits (unsigned s) then Q.of_bigint (Z.of_string s)
+      else bad "'%s' is not an integer or a fraction" s
+  | _ -> bad "a number is not an integer or a fraction"
+
+let vector ?(number = exact) ?(size = 3) entry =
+  let l = rows entry in
+  need_form (List.length l = size) "a list has another number of numbers";
+  List.map number l
+
+(* Integers over a common unit *)
+
+let unit_of numbers = List.fold_left (fun u (x : Q.t) -> Z.lcm u x.den) Z.one numbers
+let times u (x : Q.t) = Z.mul x.num (Z.divexact u x.den)
+let grid_of u = function [x; y; z] -> { Core.vx = times u x; vy = times u y; vz = times u z } | _ -> assert false
+let whole v = grid_of (unit_of v) v
+let ints x y z = { Core.vx = Z.of_int x; vy = Z.of_int y; vz = Z.of_int z }
+let zero = ints 0 0 0
+let direction entry = let m = whole (vector entry) in need (m <> zero) "a direction is 0"; m
+
+(* Whatever vector does, of (1, s, s^2) with small s, and axes: at most twice as many s are bad as there are conditions. *)
+let find_vector good =
+  let rec go s = if s > 100000 then raise (Refused "no ray in a face's plane was found") else let v = ints 1 s (s * s) in if good v then v else go (s + 1) in
+  let first = List.find_opt good [ints 1 0 0; ints 0 1 0; ints 0 0 1] in
+  match first with Some v -> v | None -> go 1
+
+(* A normal of the corners' plane: none where they are on a line. *)
+let normal_of corners =
+  match corners with
+  | [] -> None
+  | p :: rest ->
+      let ways = List.map (fun q -> Core.zminus q p) rest in
+      (match List.find_opt (fun w -> w <> zero) ways with
+       | None -> None
+       | Some w -> List.find_opt (fun n -> n <> zero) (List.map (Core.zcross w) ways))
+
+(* Files *)
+
+let read_bytes path =
+  let file = try open_in_bin path with Sys_error reason -> raise (Bad reason) in
+  Fun.protect ~finally:(fun () -> close_in file) (fun () ->
+    try really_input_string file (in_channel_length file) with Sys_error reason -> raise (Bad reason))
+
+let words line =
+  let line = match String.index_opt line '#' with Some k -> String.sub line 0 k | None -> line in
+  List.filter (( <> ) "") (String.split_on_char ' ' (String.map (fun c -> if c = '\t' || c = '\r' || c = ',' then ' ' else c) line))
+
+let lines_of data =
+  let data = if String.length data >= 3 && String.sub data 0 3 = "\xef\xbb\xbf" then String.sub data 3 (String.length data - 3) else data in
+  List.filter (( <> ) []) (List.map words (String.split_on_char '\n' data))
+
+let integer w = if is_digits w then (match int_of_string_opt w with Some n -> n | None -> bad "%s is too large" w) else bad "'%s' is not a count or an index" w
+let given_word w = given (String w)
+
+let rec take n l = if n = 0 then [] else match l with x :: rest -> x :: take (n - 1) rest | [] -> bad "a file ends too early"
+let rec drop n l = if n = 0 then l else match l with _ :: rest -> drop (n - 1) rest | [] -> bad "a file ends too early"
+
+let read_off lines =
+  let counts, rest = match lines with
+    | [_] :: counts :: rest -> (counts, rest)
+    | (_ :: counts) :: rest -> (counts, rest)
+    | _ -> bad "a file ends too early" in
+  (match lines with (word :: _) :: _ when List.mem word ["OFF"; "COFF"; "NOFF"; "CNOFF"; "STOFF"; "STCOFF"] -> () | _ -> bad "the file does not begin with OFF");
+  let vertices, faces = match counts with v :: f :: _ -> (integer v, integer f) | _ -> bad "an OFF file has no counts" in
+  let at = List.map (fun line -> List.map given_word (take 3 line)) (take vertices rest) in
+  (at, List.map (fun line -> [List.map integer (take (integer (List.hd line)) (List.tl line))]) (take faces (drop vertices rest)))
+
+let read_obj lines =
+  let vertices = ref [] and count = ref 0 and faces = ref [] and before = ref [] in
+  List.iter (fun line ->
+    let line = !before @ line in
+    before := [];
+    let last = List.nth line (List.length line - 1) in
+    if last.[String.length last - 1] = '\\' then
+      before := List.filter (( <> ) "") (List.mapi (fun k w -> if k = List.length line - 1 then String.sub w 0 (String.length w - 1) else w) line)
+    else match line with
+      | "v" :: numbers -> vertices := List.map given_word (take 3 numbers) :: !vertices; incr count
+      | "f" :: corners ->
+          let corner w =
+            let n = List.hd (String.split_on_char '/' w) in
+            if n <> "" && n.[0] = '-' then !count - integer (unsigned n) else integer n - 1 in
+          faces := [List.map corner corners] :: !faces
+      | _ -> ()) lines;
+  (List.rev !vertices, List.rev !faces)
+
+(* TetGen's facets of several polygons. *)
+let read_poly lines node_lines =
+  let lines = ref lines in
+  let next from = match !from with l :: rest -> from := rest; l | [] -> bad "a file ends too early" in
+  let first_line = next lines in
+  let nodes = if integer (List.hd first_line) > 0 then lines else ref (Lazy.force node_lines) in
+  let count = if integer (List.hd first_line) > 0 then integer (List.hd first_line) else integer (List.hd (next nodes)) in
+  let first = match !nodes with (w :: _) :: _ -> integer w | _ -> bad "a file ends too early" in
+  let vertices = List.init count (fun _ -> List.map given_word (take 3 (drop 1 (next nodes)))) in
+  let faces = List.init (integer (List.hd (next lines))) (fun _ ->
+    let polygons, holes = match List.map integer (take (min 2 (List.length (List.hd !lines))) (next lines)) with
+      | p :: h :: _ -> (p, h) | [p] -> (p, 0) | [] -> bad "a facet has no counts" in
+    let loops = List.init polygons (fun _ ->
+      let line = ref (next lines) in
+      let corners = integer (List.hd !line) in
+      while List.length !line <= corners do line := !line @ next lines done;
+      List.map (fun w -> integer w - first) (take corners (List.tl !line))) in
+    lines := drop holes !lines;
+    loops) in
+  (vertices, faces)
+
+let read_model path =
+  let data = read_bytes path in
+  let suffix = String.lowercase_ascii (Filename.extension path) in
+  let lines = lines_of data in
+  need_form (lines <> []) (path ^ " is empty");
+  match suffix with
+  | ".off" -> let v, f = read_off lines in (v, f, data)
+  | ".obj" -> let v, f = read_obj lines in (v, f, data)
+  | ".poly" ->
+      let beside = lazy (read_bytes (Filename.remove_extension path ^ ".node")) in
+      let v, f = read_poly lines (lazy (lines_of (Lazy.force beside))) in
+      (v, f, if Lazy.is_val beside then data ^ Lazy.force beside else data)
+  | _ -> bad "%s is no .off, .obj or .poly file" path
+
+(* Bodies *)
+
+type body = {
+  core : Core.zbody;
+  corners : Core.grid array;  (* by the file's indices *)
+  loops : int list list array;  (* of each face *)
+  of_face : int list array;  (* Core's faces of a file's face: several where it is not planar *)
+  first_piece : int array;
+  turned : int;
+}
+
+let read_body entry path =
+  keys entry [] ["file"; "sha256"; "vertices"; "faces"; "turned"; "cut"; "groups"];
+  let vertices, faces =
+    if has entry "vertices" then begin
+      need_form (path = None && not (has entry "file" || has entry "sha256")) "the certificate has the body in itself, and names no file";
+      (List.map (vector ~number:given) (rows (get entry "vertices")),
+       List.map (fun loops -> List.map (fun l -> List.map (function Int n -> n | _ -> bad "an index is missing") (rows l)) (rows loops)) (rows (get entry "faces")))
+    end else begin
+      let path = match path with Some p -> p | None -> bad "the certificate names a model file, which is not given" in
+      let vertices, faces, data = read_model path in
+      ignore (text (get entry "file"));
+      need (Sha256.hex data = text (get entry "sha256")) (path ^ " is not the file that the certificate is about");
+      (vertices, faces)
+    end in
+  let count = List.length vertices in
+  let loops = Array.of_list faces in
+  need_form (Array.length loops > 0) "a body has no face";
+  let check v = if v < 0 || v >= count then bad "no such vertex" in
+  Array.iter (fun f -> if f = [] || List.mem [] f then bad "a face has no corner"; List.iter (List.iter check) f) loops;
+  let turned = if has entry "turned" then List.map (fun t -> match rows t with
+      | [f; l] -> let f = index (Array.length loops) "face" f in (f, index (List.length loops.(f)) "loop" l)
+      | _ -> bad "a turned loop has not two numbers") (rows (get entry "turned")) else [] in
+  need_form (List.length (List.sort_uniq compare turned) = List.length turned) "a loop is turned twice";
+  List.iter (fun (f, l) -> loops.(f) <- List.mapi (fun k loop -> if k = l then List.rev loop else loop) loops.(f)) turned;
+  let unit = unit_of (List.concat vertices) in
+  let corners = Array.of_list (List.map (grid_of unit) vertices) in
+  let place = List.map (List.map (Array.get corners)) in
+  let cuts = Array.make (Array.length loops) [] in
+  if has entry "cut" then List.iter (fun row -> match rows row with
+    | [f; i; j; k] ->
+        let f = index (Array.length loops) "face" f in
+        cuts.(f) <- List.map (index count "vertex") [i; j; k] :: cuts.(f)
+    | _ -> bad "a row of a cut has not four numbers") (rows (get entry "cut"));
+  let of_face = Array.make (Array.length loops) [] and first_piece = Array.make (Array.length loops) 0 in
+  let core_faces = ref [] and core_count = ref 0 and pieces = ref [] and piece_count = ref 0 in
+  Array.iteri (fun f face ->
+    let zface = place face and cut = place (List.rev cuts.(f)) in
+    let all = List.concat zface in
+    let is_flat = List.length (List.sort_uniq compare (List.concat face)) <= 3 || (match normal_of all with
+      | None -> true
+      | Some n -> List.for_all (fun v -> Z.equal (Core.zdot n (Core.zminus v (List.hd all))) Z.zero) all) in
+    let add face = core_faces := face :: !core_faces; of_face.(f) <- !core_count :: of_face.(f); incr core_count in
+    first_piece.(f) <- !piece_count + 1;
+    if is_flat then add (zface, cut)
+    else begin
+      need (cut <> []) (Printf.sprintf "face %d is neither planar nor cut" f);
+      need (Core.check_cut (zface, cut)) (Printf.sprintf "face %d is not what its triangles are" f);
+      List.iter (fun t -> add ([t], [])) cut
+    end;
+    List.iter (fun p -> pieces := p :: !pieces; incr piece_count) (if cut = [] then [zface] else List.map (fun t -> [t]) cut)) loops;
+  let pieces = Array.of_list (List.rev !pieces) in
+  let one k = Core.One (Z.of_int (k + 1), pieces.(k)) in
+  let rec group = function
+    | List members -> need_form (members <> []) "a group is empty"; Core.Many (List.map group members)
+    | k -> one (index (Array.length pieces) "piece" k) in
+  let groups = if has entry "groups" then group (get entry "groups") else Core.Many [Core.Many (List.init (Array.length pieces) one)] in  (* no node of a cover opens it *)
+  let core = { Core.cut_faces = List.rev !core_faces; unit0 = unit; groups } in
+  need (Core.check_body core) "a cut is not legal, or a piece is in no group or in two";
+  { core; corners; loops; of_face; first_piece; turned = List.length turned }
+
+let identity = { Core.zrows = { Core.vx = ints 1 0 0; vy = ints 0 1 0; vz = ints 0 0 1 }; zshift = zero; pose_unit = Z.one }
+
+let pose_over unit numbers =
+  match List.map (times unit) numbers with
+  | [a; b; c; x; d; e; f; y; g; h; i; z] ->
+      let row vx vy vz = { Core.vx; vy; vz } in
+      { Core.zrows = { Core.vx = row a b c; vy = row d e f; vz = row g h i }; zshift = row x y z; pose_unit = unit }
+  | _ -> assert false
+
+let pose_numbers entry =
+  let numbers = vector ~number:given ~size:12 entry in
+  let r = (pose_over (unit_of numbers) numbers).zrows in
+  need_form (Z.sign (Core.zdet r.vx r.vy r.vz) <> 0) "a pose is flat";
+  numbers
+
+let pose numbers = pose_over (unit_of numbers) numbers
+
+(* Covers *)
+
+let directions_of entry = Array.of_list (List.map direction (rows (get entry "directions")))
+
+let rec cover_of directions = function
+  | Int k -> Core.Along directions.(index (Array.length directions) "direction" (Int k))
+  | List (String "a" :: parts) -> Core.Open_a (List.map (cover_of directions) parts)
+  | List (String "b" :: parts) -> Core.Open_b (List.map (cover_of directions) parts)
+  | List [String "t"; time; earlier; later] ->
+      let t = exact time in
+      Core.Cut_time ({ Core.qnum = t.num; qden = t.den }, cover_of directions earlier, cover_of directions later)
+  | _ -> bad "a node of a cover is none"
+
+(* A normal and a ray in the plane, for Core to judge. *)
+let crossed m body up p d f =
+  let corners = List.concat (List.map (List.map (Core.seen up p (Core.unit_at m body.core))) (Core.place_face m body.core f)) in
+  match normal_of corners with
+  | None -> raise (Refused "a ray crosses a face without a plane")
+  | Some n ->
+      let n = if Z.sign (Core.zdot n d) < 0 then Core.opposite n else n in
+      let u = find_vector (fun u -> List.for_all (fun v -> Z.sign (Core.zdet d u v) <> 0) corners) in
+      Core.Crossed (n, u)
+
+let rec passage_of directions crossed node (group : Core.zface Core.group) =
+  match node, group with
+  | Int k, _ -> Core.Passes directions.(index (Array.length directions) "direction" (Int k))
+  | String "crossed", Core.One (_, f) -> crossed f
+  | String "touched", _ -> Core.Touched
+  | List (String "b" :: parts), Core.Many members ->
+      need (List.length parts = List.length members) "a member of a group is missing in the cover";
+      Core.Open (List.map2 (passage_of directions crossed) parts members)
+  | _ -> bad "a node of a cover is none"
+
+let winding_passage entry m body up p d = passage_of (directions_of entry) (crossed m body up p d) (get entry "cover") body.core.groups
+
+(* Witnesses *)
+
+(* Why a face, placed, holds a point: none where it does not. *)
+let holder_of face up x unit =
+  let seen = List.map (List.map (Core.seen up x unit)) face in
+  let on_edge (a, b) =
+    if Core.zcross a b <> zero || Z.sign (Core.zdot a b) > 0 then None
+    else
+      let ratio p q = if Z.equal p q then None else
+        let t = Q.make p (Z.sub p q) in Some (Core.On_edge (t.num, t.den)) in
+      List.find_map Fun.id [ratio a.Core.vx b.Core.vx; ratio a.vy b.vy; ratio a.vz b.vz; if a = zero then Some (Core.On_edge (Z.zero, Z.one)) else None] in
+  match List.find_map on_edge (Core.edges seen) with
+  | Some h -> Some h
+  | None ->
+      let corners = List.concat seen in
+      Option.map (fun n ->
+        let in_plane w = Core.zcross n w in
+        let w = find_vector (fun w -> List.for_all (fun v -> Z.sign (Core.zdet n (in_plane w) v) <> 0) corners) in
+        Core.In_plane (n, in_plane w))
+        (Option.bind (normal_of corners) (fun n -> if List.for_all (fun v -> Z.sign (Core.zdot n v) = 0) corners then Some n else None))
+
+let holds m body f point =
+  let f = index (Array.length body.loops) "face" f in
+  let up = unit_of point in
+  let x = grid_of up point in
+  List.exists (fun k ->
+    match Core.nth_face (Z.of_int k) body.core.cut_faces with
+    | None -> false
+    | Some face ->
+        (match holder_of (Core.place_face m body.core face) up x (Core.unit_at m body.core) with
+         | Some h -> Core.check_holds m body.core (Z.of_int k) h up x
+         | None -> false)) body.of_face.(f)
+
+let witness entry bodies poses optional =
+  keys entry ["points"; "faces"] optional;
+  match rows (get entry "points"), rows (get entry "faces") with
+  | [p; q], [f; g] ->
+      let p = vector p and q = vector q in
+      need (holds poses.(0) bodies.(0) f p) "the face of A does not hold the point";
+      need (holds poses.(1) bodies.(1) g q) "the face of B does not hold the point";
+      List.fold_left Q.add Q.zero (List.map2 (fun x y -> let d = Q.sub x y in Q.mul d d) p q)
+  | _ -> bad "a witness has not two points and faces"
+
+(* Windings: those of vertices, by the body that has the vertex, and all as (point, body, number). *)
+
+type winding = { of_vertex : (int * int * Core.corner_ray) option; point : Core.grid * Z.t; holder : int; number : int }
+
+let read_winding bodies poses entry =
+  keys entry ["in"; "ray"; "winding"; "directions"; "cover"] ["vertex"; "point"];
+  need_form (has entry "vertex" <> has entry "point") "a winding number is of a vertex or of a point";
+  let holder = match get entry "in" with String "a" -> 0 | String "b" -> 1 | _ -> bad "a winding number is in no body" in
+  let other = 1 - holder in
+  let d = direction (get entry "ray") in
+  let number = match get entry "winding" with Int n -> n | _ -> bad "a winding number is none" in
+  let up, p, vertex =
+    if has entry "vertex" then
+      let v = index (Array.length bodies.(other).corners) "vertex" (get entry "vertex") in
+      let m = poses.(other) and core = bodies.(other).core in
+      (Core.unit_at m core, Core.zplace m core.unit0 bodies.(other).corners.(v), Some v)
+    else
+      let point = vector (get entry "point") in
+      let up = unit_of point in
+      (up, grid_of up point, None) in
+  let passage = winding_passage entry poses.(holder) bodies.(holder) up p d in
+  (match Core.check_winding up p d poses.(holder) bodies.(holder).core passage with
+   | Some w -> need (Z.equal w (Z.of_int number)) "a winding number is another"
+   | None -> raise (Refused "a ray is not generic, or not apart from a group"));
+  need (Core.is_closed bodies.(holder).core) "a body is not closed, and has no solid";
+  { of_vertex = Option.map (fun v -> (other, v, { Core.corner = bodies.(other).corners.(v); ray = d; proof = passage })) vertex;
+    point = (p, up); holder; number }
+
+let windings answer bodies poses = List.map (read_winding bodies poses) (rows (get answer "windings"))
+
+(* The order in which faces are reached from the corners: face after face with a common corner. *)
+let links body rays =
+  let faces = Array.of_list (List.map (fun f -> List.concat (fst f)) body.core.Core.cut_faces) in
+  let at = Hashtbl.create 1000 in
+  let key (v : Core.grid) = (Z.hash v.vx, Z.hash v.vy, Z.hash v.vz) in
+  Array.iteri (fun f corners -> List.iter (fun v -> Hashtbl.add at (key v) (f, v)) corners) faces;
+  let done_ = Array.make (Array.length faces) false and queue = Queue.create () and steps = ref [] in
+  let reach link v = List.iter (fun (f, w) -> if v = w && not done_.(f) then begin
+      done_.(f) <- true; steps := (Z.of_int (f + 1), link) :: !steps; Queue.add f queue end) (Hashtbl.find_all at (key v)) in
+  let seen = Hashtbl.create 1000 in
+  List.iter (fun r -> reach (Core.Start r.Core.corner) r.corner) rays;
+  while not (Queue.is_empty queue) do
+    let f = Queue.pop queue in
+    List.iter (fun v -> if not (Hashtbl.mem seen v) then begin Hashtbl.add seen v (); reach (Core.Next (Z.of_int (f + 1))) v end) faces.(f)
+  done;
+  List.rev !steps
+
+let need_each_shell found bodies poses k inside =
+  let rays = List.filter_map (fun w -> match w.of_vertex with
+    | Some (body, _, ray) when body = k && (w.number <> 0) = inside -> Some ray
+    | _ -> None) found in
+  need (Core.check_shells inside poses.(k) bodies.(k).core poses.(1 - k) bodies.(1 - k).core rays (links bodies.(k) rays))
+    (if inside then "a shell has no vertex that is known to be inside" else "a shell has no vertex that is known to be outside")
+
+let some_vertex_inside found = List.exists (fun w -> w.of_vertex <> None && w.number <> 0) found
+
+(* Answers *)
+
+let need_gap ?(square = Q.zero) ?(strictly = false) answer bodies poses =
+  let cover = cover_of (directions_of answer) (get answer "cover") in
+  need (Core.check_gap square.Q.num square.den strictly poses.(0) bodies.(0).core poses.(1) bodies.(1).core cover) "two groups are not as far apart"
+
+let pair = ["ask"; "question"; "pose_a"; "pose_b"; "answer"]
+let cover_keys = ["directions"; "cover"]
+
+let need_pair answer bodies =
+  need_form (Array.length bodies = 2) "there are not two bodies";
+  let solid = match get answer "question" with String "solid" -> true | String "surface" -> false | _ -> bad "there is no such question" in
+  if solid then Array.iter (fun b -> need (Core.is_closed b.core) "a body is not closed, and has no solid") bodies;
+  solid
+
+let poses_of answer names = Array.of_list (List.map (fun name -> pose (pose_numbers (get answer name))) names)
+
+let placed_pair answer bodies =
+  let solid = need_pair answer bodies in
+  (poses_of answer ["pose_a"; "pose_b"], solid)
+
+let prove_apart ?square ?strictly answer bodies poses solid =
+  need_gap ?square ?strictly answer bodies poses;
+  if solid then begin
+    let found = windings answer bodies poses in
+    need_each_shell found bodies poses 0 false;
+    need_each_shell found bodies poses 1 false
+  end
+
+(* The points are at most so far apart, or one solid holds a vertex of the other. *)
+let prove_together answer bodies poses solid square =
+  if has answer "witness" then need (Q.leq (witness (get answer "witness") bodies poses []) square) "the points are farther apart"
+  else need (solid && some_vertex_inside (windings answer bodies poses)) "no vertex is inside of the other solid"
+
+let prove_collide answer bodies =
+  keys answer pair ("witness" :: "windings" :: cover_keys);
+  let poses, solid = placed_pair answer bodies in
+  match get answer "answer" with
+  | String "surfaces" ->
+      keys answer ("witness" :: pair) [];
+      need (Q.equal (witness (get answer "witness") bodies poses []) Q.zero) "the points are not one"
+  | String "apart" ->
+      keys answer (pair @ cover_keys @ if solid then ["windings"] else []) [];
+      prove_apart answer bodies poses solid
+  | String ("a_in_b" | "b_in_a" as said) when solid ->
+      keys answer (("windings" :: pair) @ cover_keys) [];
+      need_gap answer bodies poses;
+      let held = if said = "a_in_b" then 0 else 1 in
+      need (List.exists (fun w -> match w.of_vertex with Some (k, _, _) -> k = held && w.number <> 0 | None -> false) (windings answer bodies poses))
+        "no shell is known to be inside"
+  | _ -> bad "there is no such answer"
+
+let prove_distance answer bodies =
+  keys answer pair ("witness" :: "windings" :: cover_keys);
+  let poses, solid = placed_pair answer bodies in
+  let square = exact (get answer "answer") in
+  if Q.equal square Q.zero then prove_together answer bodies poses solid Q.zero
+  else begin
+    need (Q.equal (witness (get answer "witness") bodies poses []) square) "the points are not so far apart";
+    need (Q.sign square > 0) "a square is negative";
+    prove_apart ~square answer bodies poses solid
+  end
+
+let prove_within answer bodies =
+  keys answer ("limit" :: pair) ("witness" :: "windings" :: cover_keys);
+  let poses, solid = placed_pair answer bodies in
+  let limit = given (get answer "limit") in
+  let square = Q.mul limit limit in
+  match get answer "answer" with
+  | Int 1 -> need (Q.sign limit >= 0) "a negative limit"; prove_together answer bodies poses solid square
+  | Int 0 -> if Q.sign limit >= 0 then prove_apart ~square ~strictly:true answer bodies poses solid
+  | _ -> bad "there is no such answer"
+
+let prove_inside answer bodies =
+  keys answer ["ask"; "point"; "answer"] ("face" :: "ray" :: "winding" :: cover_keys);
+  need_form (Array.length bodies = 1) "there is not one body";
+  let body = bodies.(0) in
+  need (Core.is_closed body.core) "the body is not closed, and has no solid";
+  let point = vector ~number:given (get answer "point") in
+  match get answer "answer" with
+  | Int 0 -> need (holds identity body (get answer "face") point) "the face does not hold the point"
+  | Int (1 | -1 as said) ->
+      let up = unit_of point in
+      let p = grid_of up point and d = direction (get answer "ray") in
+      let number = match get answer "winding" with Int n -> n | _ -> bad "a winding number is none" in
+      (match Core.check_winding up p d identity body.core (winding_passage answer identity body up p d) with
+       | Some w -> need (Z.equal w (Z.of_int number)) "the winding number is another"
+       | None -> raise (Refused "a ray is not generic, or not apart from a group"));
+      need ((number <> 0) = (said = 1)) "the winding number says otherwise"
+  | _ -> bad "there is no such answer"
+
+let prove_ray answer bodies =
+  keys answer ["ask"; "origin"; "direction"; "answer"] ("end" :: cover_keys);
+  need_form (Array.length bodies = 1) "there is not one body";
+  let body = bodies.(0) in
+  let o = vector ~number:given (get answer "origin") and d = vector ~number:given (get answer "direction") in
+  need_form (List.exists (fun x -> Q.sign x <> 0) d) "a direction is 0";
+  let last = if has answer "end" then Some (given (get answer "end")) else None in
+  let hit = match get answer "answer" with
+    | Null -> None
+    | hit -> keys hit ["face"; "t"] []; Some (index (Array.length body.loops) "face" (get hit "face"), exact (get hit "t")) in
+  match hit, last with
+  | None, Some t when Q.sign t < 0 -> ()
+  | _ ->
+      (match hit with
+       | Some (f, t) ->
+           need (Q.sign t >= 0 && (match last with Some e -> Q.leq t e | None -> true)) "the hit is not on the ray";
+           need (holds identity body (Int f) (List.map2 (fun x y -> Q.add x (Q.mul t y)) o d)) "the face does not hold the hit"
+       | None -> ());
+      let u = unit_of (o @ d) in
+      let of_q (t : Q.t) = { Core.qnum = t.num; qden = t.den } in
+      let last = match hit with Some (_, t) -> Some (of_q t) | None -> Option.map of_q last in
+      let first = Option.map (fun (f, _) -> Z.of_int body.first_piece.(f)) hit in
+      let no_crossing _ = bad "a node of a cover is none" in
+      let passage = passage_of (directions_of answer) no_crossing (get answer "cover") body.core.groups in
+      need (Core.check_ray u (grid_of u o) (grid_of u d) last first identity body.core passage) "the ray is not apart from a group"
+
+let prove_relation answer bodies =
+  keys answer ["ask"; "pose_a"; "pose_b"; "answer"] ("witness" :: "plane" :: "windings" :: cover_keys);
+  let poses, _ = placed_pair (match answer with Object l -> Object (("question", String "solid") :: l) | _ -> answer) bodies in
+  match get answer "answer" with
+  | String "meet" ->
+      need (Q.equal (witness (get answer "witness") bodies poses []) Q.zero) "the points are not one";
+      need (Core.check_plane (direction (get answer "plane")) poses.(0) bodies.(0).core poses.(1) bodies.(1).core) "the plane does not separate"
+  | String "overlap" ->
+      let found = windings answer bodies poses in
+      let side holder p = List.find_map (fun w -> if w.holder = holder && w.point = p then Some (w.number <> 0) else None) found in
+      let points = List.map (fun w -> w.point) found in
+      List.iter (fun wanted -> need (List.exists (fun p -> (side 0 p, side 1 p) = wanted) points) "a part of an overlap has no point")
+        [(Some true, Some true); (Some true, Some false); (Some false, Some true)]
+  | String ("disjoint" | "inside" | "contains" as said) ->
+      need_gap answer bodies poses;
+      let found = windings answer bodies poses in
+      need_each_shell found bodies poses 0 (said = "inside");
+      need_each_shell found bodies poses 1 (said = "contains")
+  | _ -> bad "there is no such answer"
+
+let prove_motion answer bodies =
+  keys answer ["ask"; "question"; "from_a"; "to_a"; "from_b"; "to_b"; "answer"] ("witness" :: "windings" :: cover_keys);
+  let solid = need_pair answer bodies in
+  let start = poses_of answer ["from_a"; "from_b"] in
+  let numbers = List.map (fun name -> pose_numbers (get answer name)) ["from_a"; "to_a"; "from_b"; "to_b"] in
+  let ends = match numbers with
+    | [a0; a1; b0; b1] -> [(a0, a1); (b0, b1)]
+    | _ -> assert false in
+  let lo, hi = match get answer "answer" with
+    | Null -> (Q.one, None)
+    | times -> (match vector ~number:given ~size:2 times with [lo; hi] -> (lo, Some hi) | _ -> assert false) in
+  need_form (Q.sign lo >= 0 && Q.leq lo Q.one && (match hi with Some h -> Q.leq lo h && Q.leq h Q.one | None -> true)) "the times are not in order";
+  (match hi with
+   | None -> need_form (not (has answer "witness")) "a witness of no contact"
+   | Some hi when has answer "witness" ->
+       let time = exact (get (get answer "witness") "time") in
+       need (Q.leq lo time && Q.leq time hi) "the witness is not of its time";
+       let at_time (x, y) = pose (List.map2 (fun x y -> Q.add (Q.mul (Q.sub Q.one time) x) (Q.mul time y)) x y) in
+       let poses = Array.of_list (List.map at_time ends) in
+       need (Q.equal (witness (get answer "witness") bodies poses ["time"]) Q.zero) "the points are not one"
+   | Some hi ->
+       need (solid && Q.sign hi = 0) "there is no witness";
+       need (some_vertex_inside (windings answer bodies start)) "no vertex is inside of the other solid");
+  if hi <> Some Q.zero then begin
+    let over_both (x, y) = let u = unit_of (x @ y) in (pose_over u x, pose_over u y) in
+    let (a0, a1), (b0, b1) = match List.map over_both ends with [a; b] -> (a, b) | _ -> assert false in
+    let cover = cover_of (directions_of answer) (get answer "cover") in
+    let last = { Core.qnum = lo.num; qden = lo.den } in
+    let is_open = match hi with Some hi -> Q.equal lo hi | None -> false in
+    need (Core.check_motion last is_open a0 a1 bodies.(0).core b0 b1 bodies.(1).core cover) "two groups are not apart all the time";
+    if solid then begin
+      let found = windings answer bodies start in
+      need_each_shell found bodies start 0 false;
+      need_each_shell found bodies start 1 false
+    end
+  end
+
+(* The answers are about the numbers of the file, in order; one line serves all. *)
+let need_given answers key path =
+  let size = match key with "point" -> 3 | "ray" -> 6 | _ -> 12 in
+  let numbers = List.map given_word (List.concat (lines_of (read_bytes path))) in
+  let count = List.length numbers in
+  need_form (count = size || count = size * List.length answers) (Printf.sprintf "%s has not %d numbers for each answer" path size);
+  let numbers = Array.of_list numbers in
+  List.iteri (fun k answer ->
+    let said = if key = "ray" then vector ~number:given (get answer "origin") @ vector ~number:given (get answer "direction")
+      else vector ~number:given ~size (get answer key) in
+    let at = if count = size then 0 else k * size in
+    need (List.for_all2 Q.equal said (Array.to_list (Array.sub numbers at size))) (Printf.sprintf "answer %d is not about what %s says" k path)) answers
+
+let kinds = ["collide", prove_collide; "distance", prove_distance; "within", prove_within; "inside", prove_inside; "ray", prove_ray;
+             "relation", prove_relation; "motion", prove_motion]
+
+let rec show = function
+  | Null -> "null"
+  | Bool b -> string_of_bool b
+  | Int n -> string_of_int n
+  | String s -> "\"" ^ s ^ "\""
+  | List l -> "[" ^ String.concat ", " (List.map show l) ^ "]"
+  | Object l -> "{" ^ String.concat ", " (List.map (fun (k, v) -> "\"" ^ k ^ "\": " ^ show v) l) ^ "}"
+
+let prove text_of models givens print =
+  let certificate = parse text_of in
+  keys certificate ["certificate"; "bodies"; "answers"] [];
+  need_form (get certificate "certificate" = String "tetracone 1") "another version; expected tetracone 1";
+  let entries = rows (get certificate "bodies") and answers = rows (get certificate "answers") in
+  need_form (List.mem (List.length entries) [1; 2] && List.length models <= List.length entries && answers <> [])
+    "there are not one or two bodies, and answers";
+  let bodies = Array.of_list (List.mapi (fun k entry -> read_body entry (List.nth_opt models k)) entries) in
+  List.iter (fun word -> match String.index_opt word '=' with
+    | Some k when List.mem (String.sub word 0 k) ["pose_a"; "pose_b"; "from_a"; "to_a"; "from_b"; "to_b"; "point"; "ray"] ->
+        need_given answers (String.sub word 0 k) (String.sub word (k + 1) (String.length word - k - 1))
+    | _ -> bad "--given %s is unknown" word) givens;
+  List.iteri (fun k answer ->
+    let ask = text (get answer "ask") in
+    (match List.assoc_opt ask kinds with Some proof -> proof answer bodies | None -> bad "an answer is to no question");
+    let turned = Array.fold_left (fun s b -> if b.turned = 0 then s else Printf.sprintf "%s, with %d loops turned" s b.turned) "" bodies in
+    print (Printf.sprintf "%d %s %s %s proved%s" k ask (if has answer "question" then text (get answer "question") else "-") (show (get answer "answer")) turned))
+    answers
+
+(* The status and what is said of it. *)
+let judged text_of models givens print =
+  match prove text_of models givens print with
+  | () -> (0, "proved")
+  | exception Refused reason -> (1, "refused: " ^ reason)
+  | exception (Bad reason | Failure reason | Invalid_argument reason | Sys_error reason) -> (2, "bad input: " ^ String.map (fun c -> if c = '\n' then ' ' else c) reason)
+  | exception (Stack_overflow | Out_of_memory | Not_found | Division_by_zero | Z.Overflow) -> (2, "bad input: it is not made as a certificate is")
+
+let () =
+  let rec arguments files givens = function
+    | "--given" :: word :: rest -> arguments files (word :: givens) rest
+    | word :: rest -> arguments (word :: files) givens rest
+    | [] -> (List.rev files, List.rev givens) in
+  match arguments [] [] (List.tl (Array.to_list Sys.argv)) with
+  | [], _ -> prerr_endline "check: expected CERTIFICATE [A [B]] [--given KEY=FILE]..., or - for a certificate a line on standard input"; exit 2
+  | "-" :: models, givens ->
+      let rec each status = match input_line stdin with
+        | line -> let status', said = judged line models givens ignore in print_endline said; each (max status status')
+        | exception End_of_file -> status in
+      exit (each 0)
+  | file :: models, givens ->
+      let status, said = match read_bytes file with
+        | data -> judged data models givens print_endline
+        | exception Bad reason -> (2, "bad input: " ^ reason) in
+      if status > 0 then prerr_endline (file ^ ": " ^ said);
+      exit status
