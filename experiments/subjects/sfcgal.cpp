@@ -30,7 +30,7 @@ std::optional<bool> collide(const Body& a, const Body& b, const Ask& ask)
   if (ask.question == "surface") return SFCGAL::algorithm::intersects3D(s, t, SFCGAL::algorithm::NoValidityCheck());
   const auto solid = [](const SFCGAL::TriangulatedSurface& of) {
     SFCGAL::PolyhedralSurface shell;
-    shell.addPolygons(of);
+    for (std::size_t k = 0; k < of.numTriangles(); ++k) shell.addPolygon(SFCGAL::Polygon(of.triangleN(k)));
     return SFCGAL::Solid(shell);
   };
   return SFCGAL::algorithm::intersects3D(solid(s), solid(t), SFCGAL::algorithm::NoValidityCheck());
