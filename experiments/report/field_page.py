@@ -5,7 +5,8 @@ import html
 import json
 import math
 
-GROUPS = {"exact": "exact arithmetic", "double": "meshes in double", "float": "meshes and solids in float", "convex": "convex solids alone"}
+GROUPS = {"exact": "exact arithmetic", "double": "meshes in double", "float": "meshes and solids in float", "convex": "convex solids alone",
+          "rounded": "exact after rounding to a grid of 2^-n of the size"}
 REGIMES = {"metres": "metres", "ladder": "ladder", "lego": "lego", "clear": "clear", "float-near": "near for float", "near": "near", "exact": "degenerate",
            "sequences": "sliding", "nested": "nested"}
 OURS = ("adaptive tree", "double tree", "float tree")
@@ -141,6 +142,27 @@ def ladder(field):
             f'<p class="note">Never wrong on the ladder, to a gap or overlap of 2^-48 of the size: {html.escape(", ".join(right)) or "none"}.</p>')
 
 
+def rounding(field):
+    """Wrong answers of those that round and then decide exactly, by the gap or overlap in steps of the grid."""
+    steps = sorted({int(r["size"]) for r in field.of("grid")})
+    kinds = [(s, w) for s in ("placed", "vertices") for w in ("gap", "overlap") if field.of("grid", subject=s, regime=w)]
+    if not kinds:
+        return ""
+    body = ""
+    for low, high in ((-40, -9), (-8, -5), (-4, -3), (-2, -2), (-1, -1), (0, 0), (1, 1), (2, 2), (3, 4), (5, 8), (9, 40)):
+        if not any(low <= s <= high for s in steps):
+            continue
+        body += f"<tr><td>2^{low}" + (f" .. 2^{high}" if low != high else "") + "</td>"
+        for subject, what in kinds:
+            rows = [r for r in field.of("grid", subject=subject, regime=what) if low <= int(r["size"]) <= high]
+            n, bad = sum(number(r, "n") for r in rows), sum(number(r, "invented", "missed") for r in rows)
+            colour = shade(bad / n if n else 0, "2c5f9e" if what == "gap" else "c0392b")
+            body += f'<td style="background: {colour}" title="{percent(bad, n)}">{bad}<small> /{n}</small></td>' if n else '<td class="none">.</td>'
+        body += "</tr>"
+    head = "".join(f"<th>{s} rounded:<br>{'gap called contact' if w == 'gap' else 'overlap missed'}</th>" for s, w in kinds)
+    return f"<table><tr><th>gap or overlap<br>in steps of the grid</th>{head}</tr>{body}</table>"
+
+
 def strip(field):
     names = list(dict.fromkeys(r["regime"] for r in field.of("case", subject="truth")))
     said = {(r["subject"], r["regime"], r["question"]): r["value"] for r in field.of("case")}
@@ -209,6 +231,10 @@ do by design; <i>flush apart</i>: likewise flush cubes.</p>
 <p class="note">How near may two equal cubes be before an engine errs? The grey band is half an ulp of float at the size, which a float engine cannot avoid. Engines for games have
 absolute tolerances for bodies of about a metre: read the middle of the figure for those. Each rung is one case, flush, shifted or turned.</p>
 {ladder(field)}
+<h2>What rounding costs</h2>
+<p class="note">Many libraries round to a grid first, and are exact from there on. These subjects round the placed vertices, or those of the bodies, to 2^-10 .. 2^-40 of the size on the
+ladder, and then decide without error: what is wrong is the rounding's.</p>
+{rounding(field)}
 <h2>What your engine says</h2>
 <p class="note">Each case is a file that <code>tetracone collide FILE</code> replays, and that <code>experiments/subjects/</code> can be asked. Red is wrong; a dot was not asked.
 Calling a flush or single-corner contact apart is right for an engine of open sets.</p>

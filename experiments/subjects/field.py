@@ -39,6 +39,9 @@ PROGRAMS = [
     ("Havok-hull", "convex", "node {npm}/havok.mjs"),
     ("MuJoCo-hull", "convex", "node {npm}/mujoco.mjs"),
 ]
+# Exact after rounding to a grid: asked of the ladder, lego and metres alone, since they compare all edges with all faces.
+ROUNDED = [(f"{what}-{bits}", "rounded", f"{HERE}/rounded.py {bits}" + (" vertices" if what == "vertices" else ""))
+           for what, sizes in (("placed", (10, 16, 20, 24, 26, 32, 40)), ("vertices", (10, 16, 20, 24, 26, 32, 40))) for bits in sizes]
 # Ours, and the peers in process, by their names in the program.
 BUILT_IN = {"adaptive tree": "exact", "CGAL RMCD EPECK": "exact", "double tree": "double", "CGAL RMCD EPICK": "double", "FCL OBBRSS": "double",
             "FCL AABB": "double", "ODE trimesh": "double", "float tree": "float", "Bullet GImpact": "float", "libccd GJK": "convex",
@@ -280,8 +283,8 @@ def tables(db, groups, rows):
         wrong.setdefault((subject, question), {})[family, number] = (parameter, truth, answer)
     everything = {(family, number) for family, n in cases.items() for number in range(n)}
     for question in ("surface", "solid"):
-        for who, members in (("meshes", [s for s, q in takes if q == question and groups[s] != "convex"]),
-                             ("all", [s for s, q in takes if q == question])):
+        whole = [s for s, q in takes if q == question and groups[s] != "rounded"]
+        for who, members in (("meshes", [s for s in whole if groups[s] != "convex"]), ("all", whole)):
             if question == "surface" and who == "all":
                 continue
             common = everything - set().union(*(declined.get((s, question), set()) for s in members))
@@ -307,6 +310,20 @@ def tables(db, groups, rows):
                 if any((r % 25) % 2 == parity for r in mine.values()):
                     rows.append({"table": "ladder", "subject": subject, "question": question, "regime": what, "size": size,
                                  "n": sum((r % 25) % 2 == parity for r in mine.values()), "value": -min(bad) if bad else ""})
+
+    # Rounding, by the gap or overlap in steps of the grid, 2^value.
+    grid = {}
+    for subject, question in sorted(takes):
+        if groups[subject] == "rounded":
+            mistakes, out_of = wrong.get((subject, question), {}), declined.get((subject, question), set())
+            for n, r in rungs.items():
+                if r % 25 and ("ladder", n) not in out_of:
+                    steps = int(subject.rpartition("-")[2]) - shares[(r % 25 - 1) // 2]
+                    count = grid.setdefault((subject.rpartition("-")[0], ("overlap", "gap")[r % 25 % 2], steps), [0, 0])
+                    count[0] += 1
+                    count[1] += ("ladder", n) in mistakes
+    for (subject, what, steps), (n, bad) in sorted(grid.items()):
+        rows.append({"table": "grid", "subject": subject, "regime": what, "size": steps, "n": n, "invented" if what == "gap" else "missed": bad})
 
     # Touches that are called apart: sequences of exact contact, where each frame was asked.
     positives = {(family, question): n for family, question, n in base.execute(
@@ -355,15 +372,16 @@ def main():
     install_npm(npm)
     compile_debian(binaries)
     found = programs(npm, binaries)
-    groups = BUILT_IN | {name: group for name, group, _ in found}
+    groups = BUILT_IN | {name: group for name, group, _ in found + ROUNDED}
     words = [program, "verify", "--db", os.path.join(out, "field.db"), "--level", "object", "--subject-limit", str(options.limit)]
     for name in BUILT_IN:
         words += ["--subject", name]
     for name, _, command in found:
         words += ["--subject-command", f"{name}=exec {command}"]
     # The families of the sizes that engines are made for have more cases; those of a ladder are all its rungs.
+    rounded = [w for name, _, command in ROUNDED for w in ("--subject-command", f"{name}=exec {command}")]
     for more in (["--cases", str(options.cases), "--frames", str(options.frames)],
-                 ["--cases", "200", "--family", "ladder", "--family", "lego", "--family", "metres"]):
+                 ["--cases", "200", "--family", "ladder", "--family", "lego", "--family", "metres", *rounded]):
         status = subprocess.run([*words, *more], stdout=subprocess.DEVNULL).returncode
         if status not in (0, 1):  # 1: an exact subject was wrong, which the page shows
             sys.exit(status)
