@@ -76,8 +76,8 @@ class Talk {
     if (!hello_ || !hello_->takes_batches) return;
     const std::uint64_t first = asks_ + 1;
     asks_ += 2;
-    tell(subject_lines::batch({subject_lines::ask(first, 0, 1, {}, yes, usual_),
-                               subject_lines::ask(first + 1, 0, 1, {}, no, usual_)}));
+    tell(subject_lines::batch(
+        {subject_lines::ask(first, 0, 1, {}, yes, usual_), subject_lines::ask(first + 1, 0, 1, {}, no, usual_)}));
     const auto replies = subject_lines::read_batch(next_line(), first, 2);
     judged(replies.front(), Outcome::yes);
     judged(replies.back(), Outcome::no);
@@ -264,9 +264,9 @@ const std::vector<Kind> kinds = {
      [](Talk& talk) {
        const std::string cube = subject_lines::model(0, verify::unit_cube());
        talk.tell("{\"later\": {\"forget\": 0}, " + cube.substr(1));
-       talk.tell(
-           "{\"question\": \"" + std::string(kernel::to_string(talk.usual())) + "\", \"pose_b\": [1,0,0,9,0,1,0,9,0,0,1,9], \"note\": [null, \"x\"], \"b\": 0, "
-           "\"pose_a\": [1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0], \"a\": 0, \"ask\": 7}\n");
+       talk.tell("{\"question\": \"" + std::string(kernel::to_string(talk.usual())) +
+                 "\", \"pose_b\": [1,0,0,9,0,1,0,9,0,0,1,9], \"note\": [null, \"x\"], \"b\": 0, "
+                 "\"pose_a\": [1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0], \"a\": 0, \"ask\": 7}\n");
        talk.hear(7, Outcome::no);
      }},
     {"several questions in a line, where its hello says so",

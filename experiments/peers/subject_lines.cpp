@@ -153,9 +153,8 @@ std::string model(std::uint64_t number, const covering::Polyhedron& body)
   });
   if (const auto triangles = peer_triangles(body)) {
     text += ",\"triangles\":";
-    list(text, triangles->size(), [&](std::size_t t) {
-      list(text, 3, [&](std::size_t k) { text += std::to_string((*triangles)[t][k]); });
-    });
+    list(text, triangles->size(),
+         [&](std::size_t t) { list(text, 3, [&](std::size_t k) { text += std::to_string((*triangles)[t][k]); }); });
   }
   return text + "}\n";
 }

@@ -1,10 +1,10 @@
 #ifndef TETRACONE_EXPERIMENTS_PEERS_SUBJECT_LINES_H
 #define TETRACONE_EXPERIMENTS_PEERS_SUBJECT_LINES_H
 
+#include "experiments/peers/command_process.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
-#include "experiments/peers/command_process.h"
 #include "verify/cases/case.h"
 #include "verify/subjects/object_subject.h"
 

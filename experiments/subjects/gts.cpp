@@ -41,7 +41,15 @@ std::optional<bool> collide(const Body& a, const Body& b, const Ask& ask)
 
 int main()
 {
-  const std::string version = std::to_string(gts_major_version) + "." + std::to_string(gts_minor_version) + "." + std::to_string(gts_micro_version);
-  return serve({{"name", "GTS"}, {"version", version}, {"precision", "float64"}, {"bodies", "any"}, {"poses", "affine"}, {"questions", {"surface"}}, {"touching", "closed"}},
-               [](const Body& body) { return std::make_shared<Body>(body); }, collide);
+  const std::string version = std::to_string(gts_major_version) + "." + std::to_string(gts_minor_version) + "." +
+                              std::to_string(gts_micro_version);
+  return serve(
+      {{"name", "GTS"},
+       {"version", version},
+       {"precision", "float64"},
+       {"bodies", "any"},
+       {"poses", "affine"},
+       {"questions", {"surface"}},
+       {"touching", "closed"}},
+      [](const Body& body) { return std::make_shared<Body>(body); }, collide);
 }

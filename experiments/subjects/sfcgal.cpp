@@ -38,6 +38,13 @@ std::optional<bool> collide(const Body& a, const Body& b, const Ask& ask)
 
 int main()
 {
-  return serve({{"name", "SFCGAL"}, {"version", SFCGAL::Version()}, {"precision", "exact"}, {"bodies", "closed"}, {"poses", "affine"}, {"questions", {"surface", "solid"}}, {"touching", "closed"}},
-               [](const Body& body) { return std::make_shared<Body>(body); }, collide);
+  return serve(
+      {{"name", "SFCGAL"},
+       {"version", SFCGAL::Version()},
+       {"precision", "exact"},
+       {"bodies", "closed"},
+       {"poses", "affine"},
+       {"questions", {"surface", "solid"}},
+       {"touching", "closed"}},
+      [](const Body& body) { return std::make_shared<Body>(body); }, collide);
 }

@@ -26,7 +26,8 @@ Transform transform(const std::array<double, 7>& m)
   return {SimTK::Rotation(SimTK::Quaternion(m[0], m[1], m[2], m[3])), Vec3(m[4], m[5], m[6])};
 }
 
-std::optional<bool> collide(const ContactGeometry::TriangleMesh& a, const ContactGeometry::TriangleMesh& b, const Ask& ask)
+std::optional<bool> collide(const ContactGeometry::TriangleMesh& a, const ContactGeometry::TriangleMesh& b,
+                            const Ask& ask)
 {
   if (ask.question != "surface" || !ask.rigid_a || !ask.rigid_b) return std::nullopt;
   const SimTK::ContactTracker::TriangleMeshTriangleMesh tracker;
@@ -41,6 +42,12 @@ int main()
   int major = 0, minor = 0, build = 0;
   SimTK_version_SimTKcommon(&major, &minor, &build);
   const std::string version = std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(build);
-  return serve({{"name", "Simbody"}, {"version", version}, {"precision", "float64"}, {"bodies", "manifold"}, {"poses", "rigid"}, {"questions", {"surface"}}, {"touching", "closed"}},
+  return serve({{"name", "Simbody"},
+                {"version", version},
+                {"precision", "float64"},
+                {"bodies", "manifold"},
+                {"poses", "rigid"},
+                {"questions", {"surface"}},
+                {"touching", "closed"}},
                prepare, collide);
 }

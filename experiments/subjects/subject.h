@@ -27,8 +27,8 @@ struct Body {
 
 /// A question about two bodies.
 struct Ask {
-  std::string question;                                  ///< "surface" or "solid"
-  std::array<double, 12> pose_a, pose_b;                 ///< row-major 3x4; fractions are rounded
+  std::string question;                                   ///< "surface" or "solid"
+  std::array<double, 12> pose_a, pose_b;                  ///< row-major 3x4; fractions are rounded
   std::optional<std::array<double, 7>> rigid_a, rigid_b;  ///< quaternion w x y z and translation; nothing: not rigid
 };
 
@@ -49,7 +49,8 @@ inline std::optional<Body> body_of(const json& model)
   else
     for (const json& face : model["faces"]) {
       if (face.size() > 1) return std::nullopt;
-      for (std::size_t k = 2; k < face[0].size(); ++k) body.triangles.push_back({face[0][0], face[0][k - 1], face[0][k]});
+      for (std::size_t k = 2; k < face[0].size(); ++k)
+        body.triangles.push_back({face[0][0], face[0][k - 1], face[0][k]});
     }
   for (const auto& t : body.triangles)
     if (std::set<unsigned>(t.begin(), t.end()).size() < 3) return std::nullopt;

@@ -75,10 +75,10 @@ void record_words(Database& database, const Campaign& campaign, std::uint64_t an
                                   "expected the same command, or another name for '" + subject.command + "'");
     add.run(subject.name, subject.command);
     if (hello.with(subject.name).next() && (hello.text(0) != subject.hello || hello.text(1) != subject.digest))
-      throw covering::Input_error(database.file().native(), 0,
-                                  "the program of " + subject.name + " has changed, or its hello, which was '" +
-                                      hello.text(0) + "'",
-                                  "expected another name for the new program");
+      throw covering::Input_error(
+          database.file().native(), 0,
+          "the program of " + subject.name + " has changed, or its hello, which was '" + hello.text(0) + "'",
+          "expected another name for the new program");
     add_hello.run(subject.name, subject.hello, subject.digest);
   }
   // A replaced row becomes the last row.

@@ -260,8 +260,7 @@ std::vector<Family> entries()
         {0, 4, 8, 12, 16, 20, 24, 32, 40, infinite}},
        predicate_family::perturbed_zero,
        object_family::metres},
-      {{"ladder",
-        "two equal cubes side by side, flush, shifted or turned",
+      {{"ladder", "two equal cubes side by side, flush, shifted or turned",
         "25 i + j: i for cubes of 2^-10 2^-7 2^-4 1 2^3 2^7 2^10 2^13 m; j = 0 flush, odd a gap, even an overlap of "
         "2^-1 2^-2 2^-4 ... 2^-48 of the size",
         all_rungs()},
