@@ -82,7 +82,7 @@ def compile_debian(folder):
             print(f"skipped: {name}, which needs {package}")
         elif not os.path.exists(made) or os.path.getmtime(made) < os.path.getmtime(source):
             words = subprocess.run(flags, shell=True, check=True, capture_output=True, text=True).stdout.split()
-            run(["g++", "-O2", f"-std=c++{standard}", source, "-o", made, *words])
+            run(["g++", "-O2", f"-std=c++{standard}", "-I", ROOT, source, "-o", made, *words])
 
 
 def programs(npm, binaries):

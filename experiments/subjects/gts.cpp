@@ -1,7 +1,7 @@
 // A subject around the GNU Triangulated Surface Library (Debian: libgts-dev): curves in which placed surfaces intersect.
 // Its predicates are exact, and its simulation of simplicity makes every touch a crossing or nothing.
-//   g++ -O2 -std=c++20 gts.cpp -o gts $(pkg-config --cflags --libs gts)
-#include "subject.h"
+//   g++ -O2 -std=c++20 -I. experiments/subjects/gts.cpp -o gts $(pkg-config --cflags --libs gts)
+#include "experiments/subjects/subject.h"
 
 #include <gts.h>
 

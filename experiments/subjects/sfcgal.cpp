@@ -1,6 +1,6 @@
 // A subject around SFCGAL (Debian: libsfcgal-dev): exact, on vertices placed in double. All pairs of triangles.
-//   g++ -O2 -std=c++20 sfcgal.cpp -o sfcgal -lSFCGAL -lgmp -lmpfr
-#include "subject.h"
+//   g++ -O2 -std=c++20 -I. experiments/subjects/sfcgal.cpp -o sfcgal -lSFCGAL -lgmp -lmpfr
+#include "experiments/subjects/subject.h"
 
 #include <SFCGAL/Polygon.h>
 #include <SFCGAL/PolyhedralSurface.h>

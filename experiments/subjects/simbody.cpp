@@ -1,6 +1,6 @@
 // A subject around Simbody (Debian: libsimbody-dev): its tracker of contacts of two closed triangle meshes, in double.
 //   g++ -O2 -std=c++17 -isystem /usr/include/simbody simbody.cpp -o simbody -lSimTKmath -lSimTKcommon
-#include "subject.h"
+#include "experiments/subjects/subject.h"
 
 #include <SimTKmath.h>
 
