@@ -1,11 +1,17 @@
 #include "experiments/cli/subject_options.h"
 
 #include "experiments/peers/subject_command.h"
+#include "experiments/support/sha256.h"
 #include "verify/campaign/family_lines.h"
 
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace tetracone::experiments {
@@ -16,6 +22,33 @@ bool is_name(const std::string& name)
   for (const unsigned char c : name)
     if (!std::isalnum(c) && c != '.' && c != '_' && c != '-' && c != '+') return false;
   return !name.empty();
+}
+
+/// True for a program or a script; not for other files that a command names, which it may write.
+bool is_program(const std::filesystem::path& path)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  const auto executable = std::filesystem::perms::owner_exec;
+  static const std::set<std::string> scripts = {".py", ".js", ".mjs", ".cjs", ".jl", ".lua", ".rb", ".sh"};
+  return (std::filesystem::status(path, error).permissions() & executable) != std::filesystem::perms::none ||
+         scripts.contains(path.extension().native());
+}
+
+/// Returns the SHA-256 of the programs and scripts that the words of a command name, so that an edited one is noticed;
+/// quotes are no part of a name.
+std::string digest_of_files(const std::string& command)
+{
+  constexpr std::uintmax_t largest = 64 << 20;  // no script or subject is larger
+  std::string all, word;
+  for (std::istringstream words(command); words >> word;) {
+    std::erase_if(word, [](char c) { return c == '\'' || c == '"'; });
+    std::error_code error;
+    if (!is_program(word) || std::filesystem::file_size(word, error) > largest) continue;
+    std::ifstream file(word, std::ios::binary);
+    all += sha256(std::string(std::istreambuf_iterator<char>(file), {}));
+  }
+  return all.empty() ? "" : sha256(all);
 }
 
 }  // namespace
@@ -51,11 +84,12 @@ std::vector<verify::Object_subject> command_subjects(const Subject_options& opti
     if (!taken.insert(name).second) refuse("the name " + name + " is another subject's; expected a new one");
     const std::string command = words.substr(equals + 1);
     try {
-      require_command(command, options.limit_ms());
+      const auto hello = require_command(command, options.limit_ms());
+      subjects.push_back(subject_command(name, command, options.limit_ms(), hello));
+      subjects.back().digest = digest_of_files(command);
     } catch (const std::runtime_error& error) {
       refuse(error.what());
     }
-    subjects.push_back(subject_command(name, command, options.limit_ms()));
   }
   return subjects;
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -30,9 +31,12 @@ std::string said(Outcome outcome) { return outcome == Outcome::yes ? "1" : "0"; 
 /// A talk with a program: started by the first line, within the time that is left.
 class Talk {
  public:
-  Talk(std::string command, std::chrono::milliseconds limit, Clock::time_point last)
-      : command_(std::move(command)), limit_(limit), last_(last)
+  Talk(std::string command, std::chrono::milliseconds limit, Clock::time_point last, Question usual)
+      : command_(std::move(command)), limit_(limit), last_(last), usual_(usual)
   {}
+
+  /// The question that talks ask where either would do.
+  Question usual() const { return usual_; }
 
   /// Sends lines that want no answer.
   void tell(const std::string& lines)
@@ -46,27 +50,37 @@ class Talk {
   void tell(std::uint64_t number, const covering::Polyhedron& body) { tell(subject_lines::model(number, body)); }
 
   /// Reads the answer to an ask; with `truth`, one of a question that nobody gets wrong but by a wrong reading.
-  void hear(std::uint64_t ask, std::optional<Outcome> truth = {})
+  Outcome hear(std::uint64_t ask, std::optional<Outcome> truth = {})
   {
-    const auto line = process_->line(deadline());
-    if (!line) complain("no line");
-    const subject_lines::Reply reply = subject_lines::read(*line, ask);
-    const auto& outcome = reply.outcome;
-    if (!outcome) throw Wrong{reply.wrong};
-    starting_ = false;
-    ++answers_;
-    if (*outcome == Outcome::not_asked)
-      ++declined_;
-    else if (truth && *outcome != *truth)
-      throw Wrong{"the answer is " + said(*outcome) + "; expected " + said(*truth) + " or null"};
+    return judged(subject_lines::read(next_line(), ask), truth);
   }
 
-  void ask(std::uint64_t a, std::uint64_t b, const Pose& pose_a, const Pose& pose_b, std::optional<Outcome> truth = {},
-           Question question = Question::surface)
+  Outcome ask(std::uint64_t a, std::uint64_t b, const Pose& pose_a, const Pose& pose_b, std::optional<Outcome> truth,
+              Question question)
   {
     tell(subject_lines::ask(++asks_, a, b, pose_a, pose_b, question));
-    hear(asks_, truth);
-    if (!process_->rest().empty()) throw Wrong{"there is output behind the answer; expected one line a question"};
+    const Outcome outcome = hear(asks_, truth);
+    if (process_->rest().starts_with('{'))
+      throw Wrong{"there is output behind the answer; expected one line a question"};
+    return outcome;
+  }
+  Outcome ask(std::uint64_t a, std::uint64_t b, const Pose& pose_a, const Pose& pose_b,
+              std::optional<Outcome> truth = {})
+  {
+    return ask(a, b, pose_a, pose_b, truth, usual_);
+  }
+
+  /// Asks two placements of the bodies 0 and 1 in one line, if the program takes batches.
+  void ask_batch(const Pose& yes, const Pose& no)
+  {
+    if (!hello_ || !hello_->takes_batches) return;
+    const std::uint64_t first = asks_ + 1;
+    asks_ += 2;
+    tell(subject_lines::batch(
+        {subject_lines::ask(first, 0, 1, {}, yes, usual_), subject_lines::ask(first + 1, 0, 1, {}, no, usual_)}));
+    const auto replies = subject_lines::read_batch(next_line(), first, 2);
+    judged(replies.front(), Outcome::yes);
+    judged(replies.back(), Outcome::no);
   }
 
   void end()
@@ -80,8 +94,35 @@ class Talk {
 
   int answers() const { return answers_; }
   int declined() const { return declined_; }
+  std::uint64_t skipped() const { return skipped_; }
+  const std::optional<subject_lines::Hello>& hello() const { return hello_; }
 
  private:
+  /// The next line that is for us, behind the hello.
+  std::string next_line()
+  {
+    for (;;) {
+      auto line = subject_lines::next_object(*process_, deadline(), skipped_);
+      if (!line) complain("no line");
+      auto hello = subject_lines::read_hello(*line);
+      if (!hello) return *line;
+      hello_ = std::move(hello);
+    }
+  }
+
+  Outcome judged(const subject_lines::Reply& reply, const std::optional<Outcome>& truth)
+  {
+    const auto& outcome = reply.outcome;
+    if (!outcome) throw Wrong{reply.wrong};
+    starting_ = false;
+    ++answers_;
+    if (*outcome == Outcome::not_asked)
+      ++declined_;
+    else if (truth && *outcome != *truth)
+      throw Wrong{"the answer is " + said(*outcome) + "; expected " + said(*truth) + " or null"};
+    return *outcome;
+  }
+
   Clock::time_point deadline() const
   {
     return std::min(last_, Clock::now() + limit_ + (starting_ ? 2 * limit_ : limit_ * 0));
@@ -102,11 +143,27 @@ class Talk {
   std::string command_;
   std::chrono::milliseconds limit_;
   Clock::time_point last_;
+  Question usual_;
   std::unique_ptr<Command_process> process_;
+  std::optional<subject_lines::Hello> hello_;
+  std::uint64_t skipped_ = 0;
   bool starting_ = false;
   std::uint64_t asks_ = 1000;
   int answers_ = 0, declined_ = 0;
 };
+
+/// A convex body with faces of six corners; its centre is the origin.
+covering::Polyhedron hexagonal_prism()
+{
+  covering::Polyhedron prism;
+  for (const double z : {-1, 1})
+    for (const auto& [x, y] : {std::pair(2, 0), {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}})
+      prism.vertices.push_back({double(x), double(y), z});
+  prism.add_face({{5, 4, 3, 2, 1, 0}});
+  prism.add_face({{6, 7, 8, 9, 10, 11}});
+  for (covering::Index k = 0; k < 6; ++k) prism.add_face({{k, (k + 1) % 6, 6 + (k + 1) % 6, 6 + k}});
+  return prism;
+}
 
 void two_cubes(Talk& talk)
 {
@@ -161,6 +218,9 @@ const std::vector<Kind> kinds = {
        talk.tell(1, verify::box({left - 1, -50, -50}, {left + 0.01, 50, 50}));
        talk.ask(0, 1, {}, {}, Outcome::yes);
        talk.ask(0, 1, {}, Pose::translation(-9, 0, 0), Outcome::no);
+       talk.tell(2, hexagonal_prism());  // for those that take convex bodies alone
+       talk.ask(2, 2, {}, Pose::translation(0.125, 0, 0), Outcome::yes);
+       talk.ask(2, 2, {}, far, Outcome::no);
      }},
     {"one body as both",
      [](Talk& talk) {
@@ -173,8 +233,8 @@ const std::vector<Kind> kinds = {
        talk.tell(12, verify::unit_cube());
        talk.tell(3, verify::box({20, 20, 20}, {21, 21, 21}));
        using subject_lines::ask;
-       talk.tell(ask(100, 12, 3, {}, {}, Question::surface) + ask(5, 3, 3, {}, near, Question::surface) +
-                 ask(101, 12, 12, near, {}, Question::surface));
+       talk.tell(ask(100, 12, 3, {}, {}, talk.usual()) + ask(5, 3, 3, {}, near, talk.usual()) +
+                 ask(101, 12, 12, near, {}, talk.usual()));
        talk.hear(100, Outcome::no);
        talk.hear(5, Outcome::yes);
        talk.hear(101, Outcome::yes);
@@ -192,7 +252,7 @@ const std::vector<Kind> kinds = {
      [](Talk& talk) {
        talk.tell(0, verify::torus_knot(20000));
        talk.tell(1, verify::unit_cube());
-       talk.ask(0, 1, {}, far, Outcome::no);
+       talk.ask(0, 1, {}, Pose::translation(99, 99, 99), Outcome::no);
      }},
     {"numbers from the smallest double to large ones",
      [](Talk& talk) {
@@ -204,10 +264,16 @@ const std::vector<Kind> kinds = {
      [](Talk& talk) {
        const std::string cube = subject_lines::model(0, verify::unit_cube());
        talk.tell("{\"later\": {\"forget\": 0}, " + cube.substr(1));
-       talk.tell(
-           "{\"question\": \"surface\", \"pose_b\": [1,0,0,9,0,1,0,9,0,0,1,9], \"note\": [null, \"x\"], \"b\": 0, "
-           "\"pose_a\": [1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0], \"a\": 0, \"ask\": 7}\n");
+       talk.tell("{\"question\": \"" + std::string(kernel::to_string(talk.usual())) +
+                 "\", \"pose_b\": [1,0,0,9,0,1,0,9,0,0,1,9], \"note\": [null, \"x\"], \"b\": 0, "
+                 "\"pose_a\": [1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0], \"a\": 0, \"ask\": 7}\n");
        talk.hear(7, Outcome::no);
+     }},
+    {"several questions in a line, where its hello says so",
+     [](Talk& talk) {
+       two_cubes(talk);
+       talk.ask(0, 1, {}, near, Outcome::yes);
+       talk.ask_batch(near, far);
      }},
     {"the end of its input is its end",
      [](Talk& talk) {
@@ -217,14 +283,48 @@ const std::vector<Kind> kinds = {
      }},
 };
 
+/// Says which questions about which bodies and poses the program answers, by asking it.
+void tell_what_it_takes(Talk& talk, std::ostream& out)
+{
+  talk.tell(0, verify::unit_cube());
+  talk.tell(1, verify::prism_with_tunnel());
+  const Pose sheared(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+  for (const Question question : {Question::surface, Question::solid}) {
+    const auto takes = [&](std::uint64_t body, const Pose& pose) {
+      return talk.ask(body, body, {}, pose, {}, question) != Outcome::not_asked;
+    };
+    std::string kinds;
+    for (const auto& [kind, is_taken] :
+         {std::pair("convex bodies", takes(0, near)), std::pair("other bodies", takes(1, near)),
+          std::pair("sheared poses", takes(0, sheared) || takes(1, sheared)),
+          std::pair("fractions", takes(0, Pose::from_quaternion(1, 2, 3, 4)))})
+      if (is_taken) kinds += (kinds.empty() ? "" : ", ") + std::string(kind);
+    out << "takes  " << kernel::to_string(question) << ": " << (kinds.empty() ? "nothing" : kinds) << '\n';
+  }
+  if (talk.hello()) out << "says   " << talk.hello()->text << '\n';
+}
+
+/// Returns the question of surfaces, or that of solids to a program that declines surfaces or does not answer.
+Question usual_question(Talk talk)
+{
+  try {
+    two_cubes(talk);
+    return talk.ask(0, 1, {}, near) == Outcome::not_asked ? Question::solid : Question::surface;
+  } catch (const Wrong&) {
+    return Question::surface;  // the talks say what is wrong
+  }
+}
+
 }  // namespace
 
 bool check_subject(const std::string& command, std::chrono::milliseconds limit, std::ostream& out)
 {
   const auto last = Clock::now() + std::chrono::seconds(55);
   int answers = 0, declined = 0, wrong = 0;
+  std::uint64_t skipped = 0;
+  const Question usual = usual_question(Talk(command, limit, last, Question::surface));
   for (const Kind& kind : kinds) {
-    Talk talk(command, limit, last);
+    Talk talk(command, limit, last, usual);
     try {
       if (Clock::now() >= last) throw Wrong{"the minute is over; expected quicker answers before"};
       kind.hold(talk);
@@ -236,8 +336,19 @@ bool check_subject(const std::string& command, std::chrono::milliseconds limit, 
     out.flush();
     answers += talk.answers();
     declined += talk.declined();
+    skipped += talk.skipped();
     if (answers == 0) break;  // nor would it be another time
   }
+  if (wrong == 0) {
+    try {
+      Talk talk(command, limit, last, usual);
+      tell_what_it_takes(talk, out);
+    } catch (const Wrong& found) {
+      ++wrong;
+      out << "WRONG  what it takes: " << found.what << '\n';
+    }
+  }
+  if (skipped > 0) out << "skipped " << skipped << " lines that do not begin with {\n";
   out << (wrong == 0 ? "follows the protocol" : "does not follow the protocol") << "; declined " << declined << " of "
       << answers << " questions\n";
   return wrong == 0;

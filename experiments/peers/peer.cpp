@@ -5,26 +5,35 @@
 #include "tetracone/covering/repair/repair.h"
 
 #include <cmath>
+#include <utility>
 
 namespace tetracone::experiments {
 
-std::optional<Peer_mesh> peer_mesh(const covering::Polyhedron& polyhedron)
+std::optional<Triangles> peer_triangles(const covering::Polyhedron& polyhedron)
 {
-  Peer_mesh mesh;
+  Triangles triangles;
   for (covering::Index f = 0; f < polyhedron.face_count(); ++f) {
     if (polyhedron.is_triangle(f)) {
       const auto loop = polyhedron.loop(f, 0);
-      mesh.triangles.push_back({loop[0], loop[1], loop[2]});
+      triangles.push_back({loop[0], loop[1], loop[2]});
       continue;
     }
     auto parts = covering::repair::constrained_delaunay(polyhedron, f);
     if (!parts && covering::planarity(polyhedron, f) == covering::Planarity::degenerate)
       parts = covering::repair::fan(polyhedron, f);
     if (!parts) return std::nullopt;
-    mesh.triangles.insert(mesh.triangles.end(), parts->begin(), parts->end());
+    triangles.insert(triangles.end(), parts->begin(), parts->end());
   }
-  if (mesh.triangles.empty()) return std::nullopt;
+  if (triangles.empty()) return std::nullopt;
+  return triangles;
+}
 
+std::optional<Peer_mesh> peer_mesh(const covering::Polyhedron& polyhedron)
+{
+  auto triangles = peer_triangles(polyhedron);
+  if (!triangles) return std::nullopt;
+  Peer_mesh mesh;
+  mesh.triangles = std::move(*triangles);
   constexpr covering::Index unused = ~covering::Index{0};
   std::vector<covering::Index> number(polyhedron.vertices.size(), unused);
   for (auto& triangle : mesh.triangles)

@@ -1,9 +1,11 @@
 #ifndef TETRACONE_EXPERIMENTS_PEERS_SUBJECT_COMMAND_H
 #define TETRACONE_EXPERIMENTS_PEERS_SUBJECT_COMMAND_H
 
+#include "experiments/peers/subject_lines.h"
 #include "verify/subjects/object_subject.h"
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace tetracone::experiments {
@@ -14,13 +16,16 @@ constexpr std::chrono::seconds longest_start{30};
 /// An external method as a subject: `command`, a shell command that follows the subject protocol
 /// (experiments/subjects/README.md). It is started for each running subject at the first question. An end, a wrong
 /// line, or no line within `limit` of a question, including the announcing of its bodies, is `Outcome::failed`, and the
-/// next question restarts it. A declined question is `Outcome::not_asked`. It is asked any pose and any polyhedron.
+/// next question restarts it. A declined question is `Outcome::not_asked`. It is asked what its hello takes; without a
+/// hello, any pose and any polyhedron. After three time-outs in a size class, if it answered fewer questions there, it
+/// is asked nothing of that size or larger. A size class has twice the faces of the one before.
 verify::Object_subject subject_command(const std::string& name, const std::string& command,
-                                       std::chrono::milliseconds limit);
+                                       std::chrono::milliseconds limit,
+                                       const std::optional<subject_lines::Hello>& hello = std::nullopt);
 
-/// Throws std::runtime_error when the shell cannot run the command: it is asked one question and ends with status 126
-/// or 127. The campaign counts any other failure.
-void require_command(const std::string& command, std::chrono::milliseconds limit);
+/// Returns the program's hello, if it begins with one. Throws std::runtime_error when the shell cannot run the command:
+/// it is asked one question and ends with status 126 or 127. The campaign counts any other failure.
+std::optional<subject_lines::Hello> require_command(const std::string& command, std::chrono::milliseconds limit);
 
 }  // namespace tetracone::experiments
 

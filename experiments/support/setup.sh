@@ -20,6 +20,8 @@ python_packages=(pybind11-dev python3-dev python3-numpy)
 pip_packages=(python3-scikit-build-core)
 # For the study: the peers that it compares with, and the figures of its report.
 study_packages=(libfcl-dev libbullet-dev libode-dev libccd-dev python3 python3-matplotlib)
+# The engines of Debian that ./reproduce field asks.
+field_packages=(libgts-dev libsimbody-dev libsfcgal-dev python3-vtk9 pkg-config)
 
 fail()
 {

@@ -116,7 +116,14 @@ constexpr const char* merge_attached = R"(
       FROM other.flips JOIN renumbered ON run = there WHERE true;
     INSERT INTO main.time SELECT here, level, family, subject, question, n, making, asking FROM other.time JOIN renumbered ON run = there
       WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, making = making + excluded.making, asking = asking + excluded.asking;
-    DROP TABLE renumbered;
+  )";
+
+/// Adds the rows of tables that databases of older versions lack.
+constexpr const char* merge_newer_tables = R"(
+    INSERT OR IGNORE INTO main.declined SELECT here, level, family, number, subject, question, why
+      FROM other.declined JOIN renumbered ON run = there;
+    INSERT INTO main.skipped SELECT here, level, family, subject, n FROM other.skipped JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n;
   )";
 
 }  // namespace
@@ -181,10 +188,13 @@ void merge(Database& into, const std::filesystem::path& from)
   if (!has_all(into)) {
     refuse_common_batches(into, from);
     into.run(merge_attached);
+    if (knows_hello(into, "other")) into.run(merge_newer_tables);
+    into.run("DROP TABLE renumbered");
   }
   into.run(
       "INSERT OR IGNORE INTO main.words SELECT * FROM other.words ORDER BY rowid;"
       "INSERT OR IGNORE INTO main.command SELECT * FROM other.command");
+  if (knows_hello(into, "other")) into.run("INSERT OR IGNORE INTO main.hello SELECT * FROM other.hello");
   transaction.commit();
 }
 

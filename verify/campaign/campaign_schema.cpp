@@ -24,6 +24,11 @@ std::map<std::string, std::string> columns_of(Database& database)
 
 }  // namespace
 
+bool knows_hello(Database& database, const std::string& in)
+{
+  return Database::Statement(database, "SELECT 1 FROM " + in + ".sqlite_master WHERE name = 'hello'").with().next();
+}
+
 void require_columns_of_schema(Database& database)
 {
   Database empty(":memory:", Database::Mode::write);

@@ -4,6 +4,7 @@
 #include "verify/campaign/database.h"
 
 #include <cstdint>
+#include <string>
 
 namespace tetracone::verify {
 
@@ -36,6 +37,10 @@ namespace tetracone::verify {
 ///  - words: the questions asked, by shard, and the number of their answers, the truth's included; the last row is the
 ///    last run's.
 ///  - command: the command line of each subject that is an external program.
+///  - hello: what such a program says of itself, and the digest of its files.
+///  - declined: among the first `kept_one_by_one` cases of each family, those that subjects that are not ours were not
+///    asked, and why: "declined" by the subject, "not taken" by its hello, or "too slow".
+///  - skipped: the number of lines that such a program wrote and that are not for us.
 ///  - time: nanoseconds of n answers, on this machine in this run. making: until the bodies are ready, which are made
 ///    anew for each question of the levels 'object', 'features', 'contacts' and 'distances'; asking: from then to the
 ///    answer. Where making is NULL, asking includes it. An external program has a row where it reports its own time.
@@ -69,6 +74,11 @@ CREATE TABLE IF NOT EXISTS words (version TEXT, seed INTEGER, predicate_cases IN
   subjects TEXT, real_meshes INTEGER, shards INTEGER, shard INTEGER, answers INTEGER,
   UNIQUE (version, seed, predicate_cases, object_cases, feature_cases, probe_cases, frames, families, subjects, real_meshes, shards, shard));
 CREATE TABLE IF NOT EXISTS command (subject TEXT PRIMARY KEY, command TEXT) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS hello (subject TEXT PRIMARY KEY, hello TEXT, digest TEXT) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS declined (run INTEGER, level TEXT, family TEXT, number INTEGER, subject TEXT, question TEXT, why TEXT,
+  PRIMARY KEY (run, level, family, number, subject, question)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS skipped (run INTEGER, level TEXT, family TEXT, subject TEXT, n INTEGER,
+  PRIMARY KEY (run, level, family, subject)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, n INTEGER, making INTEGER, asking INTEGER,
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
 )";
@@ -76,6 +86,10 @@ CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject T
 /// Throws covering::Input_error, with the table and its columns, when a table of the file has other columns than the
 /// schema. Another version wrote it; this one neither continues it nor merges shards from it.
 void require_columns_of_schema(Database& database);
+
+/// True when the schema `in` of the database ("main", or an attached one) has the tables hello, declined and skipped,
+/// which older versions did not write.
+bool knows_hello(Database& database, const std::string& in = "main");
 
 }  // namespace tetracone::verify
 

@@ -65,6 +65,8 @@ void record_words(Database& database, const Campaign& campaign, std::uint64_t an
   Database::Transaction transaction(database);
   Database::Statement known(database, "SELECT command FROM command WHERE subject = ?1");
   Database::Statement add(database, "INSERT OR IGNORE INTO command VALUES (?1, ?2)");
+  Database::Statement hello(database, "SELECT hello, digest FROM hello WHERE subject = ?1");
+  Database::Statement add_hello(database, "INSERT OR IGNORE INTO hello VALUES (?1, ?2, ?3)");
   for (const Object_subject& subject : campaign.at<levels::Objects>().subjects) {
     if (subject.command.empty()) continue;
     if (known.with(subject.name).next() && known.text(0) != subject.command)
@@ -72,6 +74,12 @@ void record_words(Database& database, const Campaign& campaign, std::uint64_t an
                                   subject.name + " was the command '" + known.text(0) + "'",
                                   "expected the same command, or another name for '" + subject.command + "'");
     add.run(subject.name, subject.command);
+    if (hello.with(subject.name).next() && (hello.text(0) != subject.hello || hello.text(1) != subject.digest))
+      throw covering::Input_error(
+          database.file().native(), 0,
+          "the program of " + subject.name + " has changed, or its hello, which was '" + hello.text(0) + "'",
+          "expected another name for the new program");
+    add_hello.run(subject.name, subject.hello, subject.digest);
   }
   // A replaced row becomes the last row.
   Database::Statement(database, "INSERT OR REPLACE INTO words (" + common +
@@ -97,6 +105,15 @@ void refuse_other_words(Database& into, const std::filesystem::path& from)
           "of another campaign than " + into.file().native() +
               (there.with().next() ? ", " + difference(there, here) : std::string(": nothing was asked")),
           "expected shards that were asked with the same words");
+  if (knows_hello(into) && knows_hello(into, "other")) {
+    Database::Statement hello(into,
+                              "SELECT there.subject FROM other.hello AS there JOIN main.hello AS here USING (subject) "
+                              "WHERE there.hello != here.hello OR there.digest != here.digest");
+    if (hello.with().next())
+      throw covering::Input_error(from.native(), 0,
+                                  "the program of " + hello.text(0) + " is not that of " + into.file().native(),
+                                  "expected shards that were asked of the same programs");
+  }
   Database::Statement command(into,
                               "SELECT there.subject, there.command, here.command FROM other.command AS there JOIN "
                               "main.command AS here USING (subject) WHERE there.command != here.command");

@@ -14,7 +14,7 @@ namespace tetracone::verify {
 
 /// Records the questions about to be asked, with `answers` as their number including the truth's, and the commands of
 /// the external subjects. Throws covering::Input_error, and changes nothing, when the database knows such a subject by
-/// another command.
+/// another command, or by another hello or other files.
 void record_words(Database& database, const Campaign& campaign, std::uint64_t answers);
 
 /// Throws covering::Input_error when two campaigns differ in more than their shards: version, seed, cases, frames,

@@ -53,6 +53,12 @@ void Findings::add_wrong(const Origin& origin, const std::string& subject, const
   wrong_.push_back({origin, subject, statement});
 }
 
+void Findings::add_declined(const Origin& origin, const std::string& subject, const std::string& question,
+                            const std::string& why)
+{
+  declined_.push_back({origin.index, subject, question, why});
+}
+
 void Findings::add_failure(const std::string& subject, const std::string& question, std::uint64_t number,
                            const Failure& failure)
 {
@@ -140,6 +146,14 @@ void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, s
   for (const auto& [origin, subject, w] : wrong_)
     wrong.run(run, level_, family_, origin.index, origin.parameter, subject, w.question, w.truth, w.value.value_or(99),
               w.away.log2_rho, w.away.log2_ulps, w.stage ? to_string(*w.stage) : "");
+
+  Sql declined(database, "INSERT OR REPLACE INTO declined VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)");
+  for (const auto& [number, subject, question, why] : declined_)
+    declined.run(run, level_, family_, number, subject, question, why);
+
+  Sql skipped(database, "INSERT INTO skipped VALUES (?1, ?2, ?3, ?4, ?5) ON CONFLICT DO UPDATE SET n = n + excluded.n");
+  for (const auto& [subject, n] : skipped_)
+    if (n > 0) skipped.run(run, level_, family_, subject, n);
 
   Sql done(database,
            "INSERT INTO done VALUES (?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT DO UPDATE SET cases = cases + excluded.cases");

@@ -42,6 +42,11 @@ class Findings {
   /// Adds the traces of a subject that failed on the case with this number.
   void add_failure(const std::string& subject, const std::string& question, std::uint64_t number,
                    const Failure& failure);
+  /// Adds a question that the subject was not asked.
+  void add_declined(const Origin& origin, const std::string& subject, const std::string& question,
+                    const std::string& why);
+  /// Adds lines of the subject that are no answers.
+  void add_skipped(const std::string& subject, std::uint64_t lines) { skipped_[subject] += std::int64_t(lines); }
   void add_blame(const std::string& subject, const std::string& question, Stage stage);
   void add_relation(const std::string& relation, const std::string& subject, const std::string& question,
                     bool applicable, bool violated);
@@ -89,6 +94,11 @@ class Findings {
     Statement statement;
   };
 
+  struct Declined {
+    std::uint64_t number;
+    std::string subject, question, why;
+  };
+
   std::string level_, family_;
   std::map<std::string, Truth> truth_;
   std::map<std::pair<Asked, Place>, Tally> tally_;
@@ -98,6 +108,8 @@ class Findings {
   std::map<Asked, Flips> flips_;
   std::map<std::pair<Asked, std::string>, Failures> failures_;  // how
   std::vector<Wrong> wrong_;
+  std::vector<Declined> declined_;
+  std::map<std::string, std::int64_t> skipped_;
   std::map<std::string, std::uint64_t> done_;
 };
 

@@ -99,6 +99,13 @@ constexpr Table all[] = {
      "subject, question, how ORDER BY 1, 2, 3, 4, 5"},
     {"commands", "subjects that are somebody else's programs, and what starts them",
      "SELECT subject, command FROM command ORDER BY 1"},
+    {"hellos", "what such programs say of themselves, and the digest of their files",
+     "SELECT subject, hello, digest FROM hello ORDER BY 1"},
+    {"declined",
+     "questions among the first cases of each family that subjects that are not ours were not asked, and why",
+     "SELECT run, level, family, number, subject, question, why FROM declined ORDER BY 1, 2, 3, 4, 5, 6"},
+    {"skipped", "lines that such programs wrote and that are no answers",
+     "SELECT level, family, subject, sum(n) AS n FROM skipped GROUP BY level, family, subject ORDER BY 1, 2, 3"},
     {"runs", "what made the rows: version, compiler, flags, processor, seed, and the words that ask the same again",
      "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes, again FROM run ORDER BY 1"},
 };
@@ -120,6 +127,12 @@ void add_families(Database& database)
       sweep.run(line.name, k, line.sweep[k % line.sweep.size()]);
   }
 }
+
+/// Empty tables in place of those that a database of an older version lacks; they last as long as the connection.
+constexpr const char* no_hello =
+    "CREATE TEMP TABLE IF NOT EXISTS hello (subject, hello, digest);"
+    "CREATE TEMP TABLE IF NOT EXISTS declined (run, level, family, number, subject, question, why);"
+    "CREATE TEMP TABLE IF NOT EXISTS skipped (level, family, subject, n)";
 
 /// A field of a CSV, quoted if it contains a comma or a quote.
 std::string field(const std::string& text)
@@ -151,6 +164,7 @@ std::string table_as_csv(Database& database, std::string_view name)
   if (name == "failures" &&
       !Database::Statement(database, "SELECT 1 FROM sqlite_master WHERE name = 'failure'").with().next())
     return "level,family,subject,question,how,n,said\n";
+  if ((name == "hellos" || name == "declined" || name == "skipped") && !knows_hello(database)) database.run(no_hello);
   Database::Statement rows(database, table->sql);
   const int columns = rows.columns();
   const bool has_rate = rows.name(columns - 1) == "of_n";

@@ -1,5 +1,6 @@
 #include "verify/families/families.h"
 
+#include "verify/families/ladder.h"
 #include "verify/families/object_families.h"
 #include "verify/predicate_families/predicate_families.h"
 
@@ -253,6 +254,21 @@ std::vector<Family> entries()
         {1, 2, 3, 4, 5, 6, 7, 8}},
        predicate_family::voxels,
        object_family::lego_bricks},
+      {{"metres",
+        "bodies of 0.1 to 10 m within 100 m, rigid poses of doubles, an exact contact opened or closed, then rounded",
+        "gap 2^-k of the size: k, infinite for none",
+        {0, 4, 8, 12, 16, 20, 24, 32, 40, infinite}},
+       predicate_family::perturbed_zero,
+       object_family::metres},
+      {{"ladder", "two equal cubes side by side, flush, shifted or turned",
+        "25 i + j: i for cubes of 2^-10 2^-7 2^-4 1 2^3 2^7 2^10 2^13 m; j = 0 flush, odd a gap, even an overlap of "
+        "2^-1 2^-2 2^-4 ... 2^-48 of the size",
+        all_rungs()},
+       [](Random& random, double number) {
+         const Rung rung(static_cast<int>(number));
+         return predicate_family::perturbed_zero(random, rung.step == 0 ? infinite : rung.bits());
+       },
+       object_family::ladder},
   };
 }
 

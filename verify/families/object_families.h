@@ -28,6 +28,8 @@ Generator nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_jun
 Generator many_faces;
 // bodies of unit cells
 Generator lego_bricks;
+// metres: sizes and distances that engines are made for
+Generator metres, ladder;
 // scales: exponents
 Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild, tiny_fractions;
 // poses: the maps

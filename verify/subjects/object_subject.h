@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -66,6 +67,10 @@ class Running_subject {
   virtual std::optional<Spent> spent() const { return std::nullopt; }
   /// Returns the traces of the last answer, which was `failed`.
   virtual Failure failure() const { return {"exception", ""}; }
+  /// Returns why the last answer was `not_asked`.
+  virtual std::string why_not_asked() const { return "declined"; }
+  /// Returns the number of lines that a program wrote with the last answer and that are not for us.
+  virtual std::uint64_t skipped_lines() const { return 0; }
 };
 
 /// The questions that a library knows. Its answer to the other question is not counted as its error.
@@ -79,6 +84,8 @@ struct Object_subject {
   std::optional<Subject> own;  ///< our kernel and method; nothing for a peer
   std::function<std::unique_ptr<Running_subject>()> make;
   std::string command{};  ///< for an external program: its command line
+  std::string hello{};    ///< what that program says of itself; may be empty
+  std::string digest{};   ///< of that program's files
   Knows knows = Knows::both;
 };
 

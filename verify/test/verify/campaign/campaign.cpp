@@ -414,6 +414,14 @@ BOOST_AUTO_TEST_CASE(a_subject_keeps_its_command)
   object_subjects_of(campaign)[0].command = "./mine --better";
   BOOST_CHECK_THROW(results.with(campaign), Input_error);
   BOOST_TEST((results.rows() == once));
+  // Nor does it go on with a program that has changed.
+  object_subjects_of(campaign)[0].command = "./mine";
+  for (std::string Object_subject::*what : {&Object_subject::hello, &Object_subject::digest}) {
+    object_subjects_of(campaign)[0].*what = "another";
+    BOOST_CHECK_THROW(results.with(campaign), Input_error);
+    object_subjects_of(campaign)[0].*what = "";
+  }
+  BOOST_TEST((results.with(campaign).rows() == once));
 }
 
 BOOST_AUTO_TEST_CASE(a_database_of_another_versions_tables_is_refused_with_these)

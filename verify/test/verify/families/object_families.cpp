@@ -3,15 +3,19 @@
 #include "verify/cases/object_placing.h"
 
 #include "tetracone/covering/check.h"
+#include "tetracone/kernel/motion/rotation_quaternion.h"
 #include "verify/families/families.h"
+#include "verify/families/ladder.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_object_families)
@@ -188,6 +192,46 @@ BOOST_AUTO_TEST_CASE(both_answers_are_frequent_and_known_answers_true)
       BOOST_TEST((contained > 0 || !of_containment.contains(family.name)));
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(metres_are_rigid_and_near_and_of_the_size_that_engines_are_made_for)
+{
+  for (std::uint64_t index = 0; index < 60; ++index) {
+    const Object_case c = find_family("metres")->object_case(7, index);
+    for (const auto& [body, pose] : {std::pair(c.a, c.pose_a), std::pair(c.b, c.pose_b)}) {
+      const auto turned = kernel::rotation_quaternion(pose);
+      BOOST_TEST_REQUIRE(turned.has_value());
+      BOOST_TEST(turned->error < 1e-12);
+      double size = 0;
+      for (const auto& v : body->vertices)
+        for (std::size_t k = 0; k < 3; ++k) size = std::max(size, std::abs(v[k] - body->vertices[0][k]));
+      BOOST_TEST((size > 0.05 && size < 32), size);
+      for (int k = 3; k < 12; k += 4) BOOST_TEST(std::abs(pose[k]) < 150);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rungs_are_each_met_once_and_their_cubes_are_that_far_apart)
+{
+  const std::vector<double> rungs = all_rungs();
+  BOOST_TEST(std::set<double>(rungs.begin(), rungs.end()).size() == std::size_t(Rung::count));
+  int known = 0;
+  for (std::uint64_t index = 0; index < rungs.size(); ++index) {
+    const Object_case c = find_family("ladder")->object_case(3, index);
+    const Rung rung(int(c.origin.parameter));
+    if (!c.surface) continue;
+    ++known;
+    // Placed by quarter turns, the centres differ along one axis by the cubes' size and the gap.
+    Rational most = 0;
+    for (int k = 0; k < 3; ++k) {
+      Rational apart = 0;
+      for (const auto& v : c.a->vertices) apart += image(c.pose_b, exact(v))[k] - image(c.pose_a, exact(v))[k];
+      most = std::max(most, Rational(abs(Rational(apart / 8))));
+    }
+    BOOST_TEST((most == power_of_two(rung.exponent) * (1 + rung.gap()) || rung.gap() < 0));
+    BOOST_TEST(*c.surface == (rung.gap() <= 0));
+  }
+  BOOST_TEST(known > 100);
 }
 
 BOOST_AUTO_TEST_CASE(each_relation_of_solids_is_met_by_a_twentieth_of_the_bricks)

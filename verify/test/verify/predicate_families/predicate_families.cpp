@@ -227,6 +227,7 @@ BOOST_AUTO_TEST_CASE(exact_degeneracies_are_exact)
                                             {"t-junctions", 30},
                                             {"voxels", 30},
                                             {"lego", 30},
+                                            {"metres", 10},
                                             {"near-parallel-edges", 15},
                                             {"tangent-fan", 30},
                                             {"float-widened", 40},
@@ -254,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_ends_in_the_exact_contact)
         Expected{"perturbed-zero", 20, 0, 75}, Expected{"perturbed-zero", HUGE_VAL, 100, 100},
         Expected{"stacked", 64, 0, 25}, Expected{"stacked", 0, 100, 100}, Expected{"nearly-collinear", 0, 40, 100},
         Expected{"non-planar-quads", 1024, 0, 10}, Expected{"non-planar-quads", 0, 100, 100},
-        Expected{"rounded-on-plane", 53, 0, 10}, Expected{"random", 0, 0, 0}}) {
+        Expected{"metres", HUGE_VAL, 100, 100}, Expected{"rounded-on-plane", 53, 0, 10}, Expected{"random", 0, 0, 0}}) {
     const Family* family = find_family(name);
     int on_plane = 0, count = 0;
     for (int index = 0; count < 100; ++index) {
