@@ -1,18 +1,21 @@
 #ifndef TETRACONE_TETRATREE_DOOR_RELATION_SOLVER_H
 #define TETRACONE_TETRATREE_DOOR_RELATION_SOLVER_H
 
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
+#include "tetracone/tetratree/door/exits.h"
 #include "tetracone/tetratree/door/overlap.h"
 #include "tetracone/tetratree/query_statistics.h"
 
+#include <array>
 #include <memory>
 
 namespace tetracone::detail {
 
 struct Body_data;
 
-/// Answers how solids stand and how much they overlap, by the fast tree and the adaptive kernel. Requires closed
+/// Answers how solids stand, how much they overlap and how they part, by the fast tree and the adaptive kernel. Requires closed
 /// bodies, and det M != 0.
 class Relation_solver {
  public:
@@ -20,6 +23,9 @@ class Relation_solver {
   virtual kernel::Solid_relation relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual kernel::Solid_contact relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  /// Requires a direction other than 0.
+  virtual Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                      const std::array<kernel::Rational, 3>& direction) = 0;
   virtual tetratree::Query_statistics statistics() const = 0;
   virtual void clear_statistics() = 0;
 };

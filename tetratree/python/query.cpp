@@ -248,6 +248,14 @@ py::object solid_relation(Locked_query& self, const py::object& poses_b, const p
   return py::make_tuple(relations, dimensions);
 }
 
+/// Returns the only value of each column.
+py::dict single_values(const py::dict& columns)
+{
+  py::dict one;
+  for (const auto& [name, column] : columns) one[name] = column[py::int_(0)];
+  return one;
+}
+
 py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
@@ -281,10 +289,36 @@ py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object
   columns["exact_volume"] = exact_volumes;
   columns["exact_centroid"] = exact_centroids;
   columns["exact_contact_vector"] = exact_vectors;
-  if (!poses.is_one()) return columns;
-  py::dict one;
-  for (const auto& [name, column] : columns) one[name] = column[py::int_(0)];
-  return one;
+  return poses.is_one() ? single_values(columns) : columns;
+}
+
+py::dict exits(Locked_query& self, const py::object& direction, const py::object& poses_b, const py::args& more,
+               const py::object& poses_a)
+{
+  require_keywords(more, "exits(direction, poses_a=..., poses_b=...)");
+  const py::tuple given(direction);
+  if (given.size() != 3) throw Error("exits: a direction of " + std::to_string(given.size()) + " numbers; expected 3");
+  std::array<std::string, 3> along;
+  for (std::size_t k = 0; k < 3; ++k) along[k] = exact_text(given[k]);
+  const Pose_pairs poses(poses_b, poses_a);
+  std::vector<Exits> found(poses.count);
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.exits(a, b, along); });
+  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  py::array_t<double> first(py::ssize_t(found.size())), last(py::ssize_t(found.size()));
+  py::list exact_first, exact_last;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    first.mutable_data()[k] = found[k].first;
+    last.mutable_data()[k] = found[k].last;
+    exact_first.append(fraction(found[k].exact_first));
+    exact_last.append(fraction(found[k].exact_last));
+  }
+  py::dict columns;
+  columns["first"] = first;
+  columns["last"] = last;
+  columns["exact_first"] = exact_first;
+  columns["exact_last"] = exact_last;
+  return poses.is_one() ? single_values(columns) : columns;
 }
 
 py::object features(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
@@ -482,6 +516,18 @@ and errors as of `solid_relation`.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).overlap([[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_volume"]
 Fraction(1, 48)
+)")
+      .def("exits", &exits, py::arg("direction"), poses_b, poses_a, R"(exits(direction, poses_b, *, poses_a=None)
+
+How far a must be moved along a direction for the interiors of the solids to part: a dict of arrays (n,), `first`, where
+they first share no point, and `last`, from where on they never do again, and of lists of fractions.Fraction,
+`exact_first` and `exact_last`. All are in lengths of the direction, which is three numbers, fractions.Fraction or texts
+"n/d". The solids may touch. Of one pose of each, the single values. Other arguments and errors as of `solid_relation`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).exits([3, 0, 0], [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_first"]
+Fraction(1, 2)
 )")
       .def("distance", of_poses<&distance>("distance"), poses_b, poses_a, R"(distance(poses_b, *, poses_a=None)
 

@@ -1,9 +1,12 @@
 #include "tetracone/tetratree/door/relation_solver.h"
 
+#include "tetracone/kernel/contact/direction_view.h"
 #include "tetracone/kernel/number/nearest_root.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/contacts_data.h"
+#include "tetracone/tetratree/penetration/exit_search.h"
+#include "tetracone/tetratree/penetration/seen_solid.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 #include "tetracone/tetratree/relation/crossing_overlap.h"
@@ -65,10 +68,6 @@ class Bvh8_relation_solver : public Relation_solver {
       found = exactly().pair.overlap();
     }
     Overlap overlap;
-    const auto write = [](const kernel::Rational& exact, double& nearest, std::string& text) {
-      nearest = kernel::nearest_double(exact);
-      text = kernel::to_string(exact);
-    };
     const auto& [volume, moment] = found.all;
     write(volume, overlap.volume, overlap.exact_volume);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -79,20 +78,55 @@ class Bvh8_relation_solver : public Relation_solver {
     return overlap;
   }
 
+  Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+              const std::array<kernel::Rational, 3>& direction) override
+  {
+    Exits exits;
+    if (!interiors_meet(relation_alone(pose_a, pose_b))) return exits;
+    const kernel::Direction_view view(direction);
+    const auto meet = [&](const kernel::Rational& rise) {
+      const auto [moved, unmoved] = kernel::moved_along(pose_a, pose_b, direction, rise / view.height());
+      return interiors_meet(relation_alone(moved, unmoved));
+    };
+    if (!exit_search_) exit_search_.emplace(seen(body_[0]->by_triangles()), seen(body_[1]->by_triangles()));
+    const tetratree::Exit_heights heights = (*exit_search_)(view.of(pose_a), view.of(pose_b), meet);
+    write(heights.first / view.height(), exits.first, exits.exact_first);
+    write(heights.last / view.height(), exits.last, exits.exact_last);
+    return exits;
+  }
+
   tetratree::Query_statistics statistics() const override
   {
     tetratree::Query_statistics all = collision_.counts();
     if (exactly_) all += exactly_->contacts.counts();
+    if (exit_search_) all += exit_search_->counts();
     return all;
   }
   void clear_statistics() override
   {
     collision_.clear_counts();
     if (exactly_) exactly_->contacts.clear_counts();
+    if (exit_search_) exit_search_->clear_counts();
   }
 
  private:
   using K = kernel::Adaptive;
+
+  static bool interiors_meet(Solid_relation relation)
+  {
+    return relation != Solid_relation::disjoint && relation != Solid_relation::meet;
+  }
+
+  static tetratree::Seen_solid seen(const Body_data& body)
+  {
+    return {body.bvh8(), body.polyhedron, body.solid_sides()};
+  }
+
+  static void write(const kernel::Rational& exact, double& nearest, std::string& text)
+  {
+    nearest = kernel::nearest_double(exact);
+    text = kernel::to_string(exact);
+  }
 
   /// What only poses need that the first crossing does not decide.
   struct Exactly {
@@ -197,6 +231,7 @@ class Bvh8_relation_solver : public Relation_solver {
   tetratree::Bvh8_collision<K> collision_;
   tetratree::Pair_memory memory_;
   std::unique_ptr<Exactly> exactly_;
+  std::optional<tetratree::Exit_search> exit_search_;
 };
 
 }  // namespace

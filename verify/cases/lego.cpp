@@ -310,4 +310,34 @@ Solid_overlap overlap(const Bricks& a, const Bricks& b, const Cell& offset)
   return result;
 }
 
+Solid_exits exits(const Bricks& a, const Bricks& b, const Cell& offset, int axis, int sign)
+{
+  // By the column of half cells along the axis: the places of the half cells in it.
+  const auto columns = [&](const Bricks& bricks, const Cell& off) {
+    std::map<Cell, int> winding;
+    for (const Shell& shell : bricks)
+      for (const Cell& cell : shell.cells)
+        for (const Cell& half : block({0, 0, 0}, {2, 2, 2})) {
+          Cell at;
+          for (int i = 0; i < 3; ++i) at[i] = 2 * cell[i] + half[i] + off[i];
+          winding[at] += shell.turn;
+        }
+    std::map<std::pair<int, int>, std::vector<int>> columns;
+    for (const auto& [at, turns] : winding)
+      if (turns != 0) columns[{at[(axis + 1) % 3], at[(axis + 2) % 3]}].push_back(sign * at[axis]);
+    return columns;
+  };
+  const auto of_a = columns(a, {0, 0, 0}), of_b = columns(b, offset);
+  // Half cells of one column, which are `steps` apart, overlap at shifts of less than a half from that.
+  std::set<int> steps;
+  for (const auto& [column, places] : of_a)
+    if (const auto other = of_b.find(column); other != of_b.end())
+      for (const int from : places)
+        for (const int to : other->second) steps.insert(to - from);
+  if (!steps.contains(0)) return {0, 0};
+  int first = 1;
+  while (steps.contains(first)) ++first;
+  return {Rational(first) / 2, Rational(*steps.rbegin() + 1) / 2};
+}
+
 }  // namespace tetracone::verify::lego

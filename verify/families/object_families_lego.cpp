@@ -178,6 +178,11 @@ Object_case lego_bricks(Random& random, double parameter)
     overlap.centroid = image(frame, overlap.centroid);
   }
   c.overlap = overlap;
+
+  const int axis = int(random.bits() % 3), sign = random.bits() % 2 == 0 ? 1 : -1;
+  Exact_vector direction = {0, 0, 0};
+  direction[axis] = sign;
+  c.exits = {turned(frame, direction), lego::exits(pair.a, pair.b, pair.offset, axis, sign)};
   return c;
 }
 

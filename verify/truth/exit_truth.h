@@ -1,0 +1,22 @@
+#ifndef TETRACONE_VERIFY_TRUTH_EXIT_TRUTH_H
+#define TETRACONE_VERIFY_TRUTH_EXIT_TRUTH_H
+
+#include "verify/cases/case.h"
+#include "verify/cases/exact_map.h"
+
+/// How far A must be moved along a direction to leave B, in rationals, by two formulations.
+namespace tetracone::verify {
+
+/// Returns the exits by all events: the shifts at which a vertex is on a triangle, or an edge on an edge, of all pairs
+/// of the two surfaces. Between them nothing changes. At each event, in order, the pieces of both surfaces tell whether
+/// the interiors share a point. For few faces. Requires planar faces, closed polyhedra, det M != 0 and a direction that
+/// is not 0.
+Solid_exits exits_by_events(const Object_case& c, const object_family::Exact_vector& direction);
+
+/// Returns the exit of convex solids whose interiors share a point, else 0. It is the least that a normal of a face, or
+/// a product of two edges, says: these are the normals of the Minkowski difference. Requires convex solids.
+kernel::Rational convex_exit(const Object_case& c, const object_family::Exact_vector& direction);
+
+}  // namespace tetracone::verify
+
+#endif
