@@ -26,6 +26,15 @@ struct View_box {
     return true;
   }
 
+  /// True when the parts may meet after a translation of at most this length along the view's axes.
+  bool is_within(const View_box& other, double length) const
+  {
+    const double reach = 1.5 * length;  // more than the root of 2, the largest length of an axis
+    for (std::size_t k = 0; k < low.size(); ++k)
+      if (low[k] - other.high[k] > reach || other.low[k] - high[k] > reach) return false;
+    return true;
+  }
+
   double size() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[height] - low[height]); }
 };
 

@@ -34,6 +34,15 @@ class Direction_view {
   /// Returns the height of d in the view.
   const Rational& height() const { return height_; }
 
+  /// Returns the direction, in space, of what the view has as a plane's normal.
+  Rational_point normal(const Rational_point& seen) const
+  {
+    Rational_point n = {0, 0, 0};
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) n[k] += seen[i] * row_[i][k];
+    return n;
+  }
+
   /// Returns a pose followed by the view, as a row-major 3x4 matrix.
   std::array<Rational, 12> of(const Pose& pose) const
   {

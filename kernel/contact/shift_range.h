@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 /// By how much a convex polygon of A has to rise for it to meet one of B.
 ///
@@ -59,6 +60,11 @@ inline Height_interval largest(const Height_interval& x, const Height_interval& 
 }
 inline Rational least(const Rational& x, const Rational& y) { return x < y ? x : y; }
 inline Rational largest(const Rational& x, const Rational& y) { return x > y ? x : y; }
+
+inline bool may_be_zero(const Number_point<Height_interval>& x)
+{
+  return x[0].inf() <= 0 && x[0].sup() >= 0 && x[1].inf() <= 0 && x[1].sup() >= 0 && x[2].inf() <= 0 && x[2].sup() >= 0;
+}
 
 template <class N>
 Number_point<N> edge(const Convex_piece<N>& piece, int k)
@@ -225,6 +231,21 @@ inline Rational exact_high(const Convex_piece<Height_interval>& a, const Convex_
     return true;
   });
   return *high;
+}
+
+/// Returns the directions of the axes that allow no s above `high`, the end of two pieces: normals of the facets in which
+/// a leaves b.
+inline std::vector<Number_point<Rational>> directions_at(const Convex_piece<Rational>& a,
+                                                         const Convex_piece<Rational>& b, const Rational& high)
+{
+  std::vector<Number_point<Rational>> directions;
+  detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
+    const detail::Allowed<Rational> allowed(axis, a, b);
+    if ((allowed.is_rising() || allowed.is_falling()) && allowed.last() == high)
+      directions.push_back(detail::direction(axis, a, b));
+    return true;
+  });
+  return directions;
 }
 
 }  // namespace tetracone::kernel

@@ -4,6 +4,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
+#include "tetracone/tetratree/door/depth.h"
 #include "tetracone/tetratree/door/exits.h"
 #include "tetracone/tetratree/door/overlap.h"
 #include "tetracone/tetratree/query_statistics.h"
@@ -26,6 +27,7 @@ class Relation_solver {
   /// Requires a direction other than 0.
   virtual Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
                       const std::array<kernel::Rational, 3>& direction) = 0;
+  virtual Depth depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options) = 0;
   virtual tetratree::Query_statistics statistics() const = 0;
   virtual void clear_statistics() = 0;
 };

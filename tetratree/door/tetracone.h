@@ -7,6 +7,7 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/tetratree/door/contacts.h"
+#include "tetracone/tetratree/door/depth.h"
 #include "tetracone/tetratree/door/exits.h"
 #include "tetracone/tetratree/door/motion.h"
 #include "tetracone/tetratree/door/nearest.h"
@@ -325,6 +326,13 @@ class Query {
   Exits exits(const Pose& pose_a, const Pose& pose_b, const std::array<std::string, 3>& direction);
   /// Same, for poses of the templates. Requires det M != 0.
   Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction);
+
+  /// Returns a bracket of the least translation of A after which the interiors share no point, and the translation that
+  /// attains its upper end. The bracket is never wrong; it is as narrow as asked, unless the budget ends before. Throws
+  /// Error for a relative width that is not in [0, 1), and as `solid_relation`.
+  Depth depth(const Pose& pose_a, const Pose& pose_b, const Depth_options& options = {});
+  /// Same, for poses of the templates. Requires det M != 0.
+  Depth depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options = {});
 
   /// Returns the faces of A, in order, that have a point at most `limit` from B, decided on squares, exactly. There are
   /// none for a negative limit. B is its solid, or its surface under `Question::surface`. The limit is as for `within`.

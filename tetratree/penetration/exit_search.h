@@ -53,6 +53,7 @@ class Exit_search {
     solid_[0].see(map_a);
     solid_[1].see(map_b);
     const kernel::Rational last = *largest_high(nullptr);
+    last_pair_ = {};
     kernel::Rational at = 0;
     for (bool is_in = true; at < last; is_in = false) {
       if (auto high = largest_high(&at)) {
@@ -63,6 +64,13 @@ class Exit_search {
       at = least_high_above(at);
     }
     return {at, last};
+  }
+
+  /// Returns normals of planes, in the view, in which the last question's first exit lies.
+  std::vector<kernel::Number_point<kernel::Rational>> normals()
+  {
+    if (!last_pair_[0]) return {};
+    return kernel::directions_at(solid_[0].exactly(*last_pair_[0]), solid_[1].exactly(*last_pair_[1]), last_high_);
   }
 
   const Query_statistics& counts() const { return counts_; }
@@ -117,8 +125,10 @@ class Exit_search {
         key, [&] { return -best; }, compare);
     std::erase_if(candidates, [&](const Candidate& c) { return c.most < best; });
     std::optional<Rational> found;
-    for (Candidate& c : candidates)
-      if (!found || *found < exact_high(c)) found = c.exact;
+    for (Candidate& c : candidates) {
+      const Rational& high = exact_high(c);
+      if (!found || high > *found) note(c, found);
+    }
     return found;
   }
 
@@ -155,9 +165,17 @@ class Exit_search {
         key, [&] { return best; }, compare);
     std::erase_if(candidates, [&](const Candidate& c) { return c.least > best; });
     std::optional<Rational> found;
-    for (Candidate& c : candidates)
-      if (!found || exact_high(c) < *found) found = c.exact;
+    for (Candidate& c : candidates) {
+      const Rational& high = exact_high(c);
+      if (!found || high < *found) note(c, found);
+    }
     return *found;
+  }
+
+  void note(const Candidate& c, std::optional<Rational>& found)
+  {
+    found = last_high_ = *c.exact;
+    last_pair_ = {c.a, c.b};
   }
 
   /// Compares the pieces of all pairs of leaves that may share a place in the view. key(box of A, box of B) orders
@@ -240,6 +258,8 @@ class Exit_search {
 
   std::array<Seen_solid, 2> solid_;
   std::vector<Pair> queue_;
+  std::array<Seen_piece*, 2> last_pair_{};  // whose `high` was found last, and this
+  Rational last_high_;
   Query_statistics counts_;
 };
 

@@ -321,6 +321,38 @@ py::dict exits(Locked_query& self, const py::object& direction, const py::object
   return poses.is_one() ? single_values(columns) : columns;
 }
 
+py::dict depth(Locked_query& self, const py::object& poses_b, double relative, std::size_t budget,
+               const py::object& poses_a)
+{
+  const Pose_pairs poses(poses_b, poses_a);
+  std::vector<Depth> found(poses.count);
+  ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
+    found[k] = query.depth(a, b, {relative, budget});
+  });
+  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  const auto count = py::ssize_t(found.size());
+  py::array_t<double> bounds(std::vector<py::ssize_t>{count, 2}), vectors(std::vector<py::ssize_t>{count, 3});
+  py::array_t<bool> exact(count);
+  py::list squares, exact_vectors;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Depth& each = found[k];
+    bounds.mutable_data()[2 * k] = each.low;
+    bounds.mutable_data()[2 * k + 1] = each.high;
+    std::copy(each.vector.begin(), each.vector.end(), vectors.mutable_data() + 3 * k);
+    exact.mutable_data()[k] = each.is_exact;
+    squares.append(fraction(each.exact_square));
+    const auto& x = each.exact_vector;
+    exact_vectors.append(py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2])));
+  }
+  py::dict columns;
+  columns["bounds"] = bounds;
+  columns["vector"] = vectors;
+  columns["is_exact"] = exact;
+  columns["exact_square"] = squares;
+  columns["exact_vector"] = exact_vectors;
+  return poses.is_one() ? single_values(columns) : columns;
+}
+
 py::object features(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
@@ -528,6 +560,20 @@ they first share no point, and `last`, from where on they never do again, and of
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).exits([3, 0, 0], [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_first"]
 Fraction(1, 2)
+)")
+      .def("depth", &depth, poses_b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 200000, poses_a,
+           R"(depth(poses_b, *, relative=1e-9, budget=200000, poses_a=None)
+
+The least translation of a for the interiors of the solids to part, in a bracket that is never wrong: a dict of arrays,
+`bounds` (n, 2) of its length, `vector` (n, 3), a translation of the upper length, and `is_exact` (n,), whether it is
+proved that no other is shorter; and of lists of fractions.Fraction, `exact_square` of that length and `exact_vector`.
+The search ends at the relative width, or after `budget` boxes of translations. Of one pose of each, the single values.
+poses_b, poses_a and errors as of `solid_relation`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).depth([[1, 0, 0, 0.75], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_square"]
+Fraction(1, 48)
 )")
       .def("distance", of_poses<&distance>("distance"), poses_b, poses_a, R"(distance(poses_b, *, poses_a=None)
 

@@ -86,9 +86,10 @@ struct Object_case {
   std::shared_ptr<const covering::Polyhedron> a, b;
   kernel::Pose pose_a, pose_b;
   Origin origin;
-  std::optional<bool> surface, solid;      ///< the answers, if the family knows them by construction
-  std::optional<Solid_overlap> overlap{};  ///< likewise
-  std::optional<Counted_exits> exits{};    ///< likewise
+  std::optional<bool> surface, solid;               ///< the answers, if the family knows them by construction
+  std::optional<Solid_overlap> overlap{};           ///< likewise
+  std::optional<Counted_exits> exits{};             ///< likewise
+  std::optional<kernel::Rational> squared_depth{};  ///< of the least translation that parts the interiors; likewise
 
   std::optional<bool> known(kernel::Question question) const
   {

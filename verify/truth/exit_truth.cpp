@@ -81,6 +81,36 @@ void add_events(const Exact_vector& x, const Exact_vector& d, const Surface& sur
   }
 }
 
+// The least width for which n . v >= width parts two convex solids, for a translation v of A.
+struct Width {
+  Exact_vector normal;
+  Rational width;
+};
+
+// Returns the widths along both directions of all normals of the Minkowski difference, and along others.
+std::vector<Width> widths(const Object_case& c)
+{
+  const Two_surfaces both = surfaces_of(c);
+  std::vector<Exact_vector> normals;
+  for (const Surface* surface : {&both.a, &both.b})
+    for (const Placed_element* triangle : surface->triangles) normals.push_back(triangle->normal);
+  for (const Segment& e : both.a.edges)
+    for (const Segment& f : both.b.edges)
+      normals.push_back(cross(difference(e.second, e.first), difference(f.second, f.first)));
+  std::vector<Width> widths;
+  for (const Exact_vector& n : normals) {
+    if (is_zero(n)) continue;
+    for (const int sign : {1, -1}) {
+      const Exact_vector axis = times(Rational(sign), n);
+      Rational largest_of_b = dot(axis, *both.b.corners.begin()), least_of_a = dot(axis, *both.a.corners.begin());
+      for (const Exact_vector& x : both.b.corners) largest_of_b = std::max(largest_of_b, dot(axis, x));
+      for (const Exact_vector& x : both.a.corners) least_of_a = std::min(least_of_a, dot(axis, x));
+      widths.push_back({axis, (largest_of_b - least_of_a) / both.scale});
+    }
+  }
+  return widths;
+}
+
 }  // namespace
 
 Solid_exits exits_by_events(const Object_case& c, const Exact_vector& direction)
@@ -113,31 +143,24 @@ Solid_exits exits_by_events(const Object_case& c, const Exact_vector& direction)
 
 Rational convex_exit(const Object_case& c, const Exact_vector& direction)
 {
-  const Two_surfaces both = surfaces_of(c);
-  std::vector<Exact_vector> normals;
-  for (const Surface* surface : {&both.a, &both.b})
-    for (const Placed_element* triangle : surface->triangles) normals.push_back(triangle->normal);
-  for (const Segment& e : both.a.edges)
-    for (const Segment& f : both.b.edges)
-      normals.push_back(cross(difference(e.second, e.first), difference(f.second, f.first)));
   std::optional<Rational> exit;
-  for (Exact_vector n : normals) {
-    if (is_zero(n)) continue;
-    for (const int sign : {1, -1}) {
-      const Exact_vector axis = times(Rational(sign), n);
-      const auto product = [&](const Exact_vector& x) { return dot(axis, x); };
-      const auto least = [&](const Surface& s) {
-        return product(*std::ranges::min_element(s.corners, {}, [&](const Exact_vector& x) { return product(x); }));
-      };
-      const auto largest = [&](const Surface& s) {
-        return product(*std::ranges::max_element(s.corners, {}, [&](const Exact_vector& x) { return product(x); }));
-      };
-      const Rational depth = largest(both.b) - least(both.a), rise = both.scale * product(direction);
-      if (depth <= 0) return 0;
-      if (rise > 0 && (!exit || depth / rise < *exit)) exit = depth / rise;
-    }
+  for (const auto& [normal, width] : widths(c)) {
+    const Rational rise = dot(normal, direction);
+    if (width <= 0) return 0;
+    if (rise > 0 && (!exit || width / rise < *exit)) exit = width / rise;
   }
   return *exit;
+}
+
+Rational convex_squared_depth(const Object_case& c)
+{
+  std::optional<Rational> least;
+  for (const auto& [normal, width] : widths(c)) {
+    if (width <= 0) return 0;
+    const Rational square = width * width / dot(normal, normal);
+    if (!least || square < *least) least = square;
+  }
+  return *least;
 }
 
 }  // namespace tetracone::verify

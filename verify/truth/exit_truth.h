@@ -4,7 +4,7 @@
 #include "verify/cases/case.h"
 #include "verify/cases/exact_map.h"
 
-/// How far A must be moved along a direction to leave B, in rationals, by two formulations.
+/// How far A must be moved to leave B, along a direction by two formulations, and at all; in rationals.
 namespace tetracone::verify {
 
 /// Returns the exits by all events: the shifts at which a vertex is on a triangle, or an edge on an edge, of all pairs
@@ -16,6 +16,10 @@ Solid_exits exits_by_events(const Object_case& c, const object_family::Exact_vec
 /// Returns the exit of convex solids whose interiors share a point, else 0. It is the least that a normal of a face, or
 /// a product of two edges, says: these are the normals of the Minkowski difference. Requires convex solids.
 kernel::Rational convex_exit(const Object_case& c, const object_family::Exact_vector& direction);
+
+/// Returns the squared length of the least translation that parts convex solids: the least over the same normals; 0
+/// where the interiors share no point. Requires convex solids.
+kernel::Rational convex_squared_depth(const Object_case& c);
 
 }  // namespace tetracone::verify
 

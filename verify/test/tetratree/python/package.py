@@ -152,6 +152,19 @@ class Answers(Case):
         self.error("exits: 'nan' in the direction; expected a finite decimal number or a fraction n/d",
                    query.exits, [0, float("nan"), 0], IDENTITY)
 
+    def test_depths(self):
+        query = Query(Body(*CUBE), Body(*CUBE))
+        depth = query.depth(translations([0.5, 0.25, 0], [2, 0, 0]))
+        self.assertEqual(depth["bounds"].tolist(), [[0.5, 0.5], [0, 0]])
+        self.assertEqual(depth["vector"].tolist(), [[-0.5, 0, 0], [0, 0, 0]])
+        self.assertEqual(depth["is_exact"].tolist(), [True, True])
+        one = query.depth(None, poses_a=translations([1 / 4, 0, 0])[0], relative=0.5)
+        self.assertEqual(one["exact_square"], Fraction(9, 16))
+        self.assertEqual(one["exact_vector"], (Fraction(3, 4), 0, 0))
+        self.assertFalse(query.depth(IDENTITY, budget=0)["is_exact"])
+        self.error("depth: a relative width of 2; expected a number from 0 to below 1",
+                   lambda: query.depth(IDENTITY, relative=2))
+
     def test_poses_of_both_bodies_go_by_keyword(self):
         cube = Body(*CUBE)
         query, scene = Query(cube, cube), tetracone.Scene([cube] * 2)

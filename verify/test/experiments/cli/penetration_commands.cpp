@@ -6,12 +6,17 @@
 
 #include <string>
 
-BOOST_AUTO_TEST_SUITE(test_exit_command)
+BOOST_AUTO_TEST_SUITE(test_penetration_commands)
 
 using namespace tetracone::verify;
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+std::string depth_words(const Temporary_file& poses_b)
+{
+  return "depth " + in_quotes(cube) + " " + in_quotes(cube) + " --pose-b " + in_quotes(poses_b.path());
+}
 
 struct Files {
   Temporary_file poses_b{"poses", "1 0 0 0.5 0 1 0 0 0 0 1 0\n1 0 0 1/3 0 1 0 0 0 0 1 0\n1 0 0 2 0 1 0 0 0 0 1 0\n"};
@@ -35,6 +40,22 @@ BOOST_AUTO_TEST_CASE(exits_are_two_columns)
   const Json rows = Json::parse(run(files.words() + " --json").out);
   BOOST_TEST(rows[0] == Json::parse(R"({"pose": 0, "first": 0.75, "last": 0.75})"));
   BOOST_TEST(Json::parse(run(files.words() + " --json --exact").out)[1]["last"] == "2/3");
+}
+
+BOOST_AUTO_TEST_CASE(a_depth_is_a_bracket_and_a_vector)
+{
+  const Files files;
+  const std::string words = depth_words(files.poses_b);
+  BOOST_TEST(run(words).out ==
+             "0.5 0.5 -0.5 0 0\n0.6666666666666666 0.6666666666666667 -0.6666666666666666 0 0\n0 0 0 0 0\n");
+  BOOST_TEST(run(words + " --exact").out == "1/4 -1/2 0 0\n4/9 -2/3 0 0\n0 0 0 0\n");
+  BOOST_TEST(run(words + " --csv /dev/stdout").out.starts_with("pose,low,high,x,y,z\n0,0.5,0.5,-0.5,0,0\n"));
+  const Json rows = Json::parse(run(words + " --json --exact --time --budget 0").out);
+  BOOST_TEST(rows[0]["square"].is_null());
+  BOOST_TEST(rows[0]["x"] == "-1/2");
+  BOOST_TEST(rows[0]["ns"] > 0);
+  for (const char* wrong : {" --relative 1", " --relative -1", " --relative nan", " --budget -1", " --repeat 0"})
+    BOOST_TEST(run(words + wrong).status == 2, wrong);
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused_in_one_line)
