@@ -119,6 +119,13 @@ class Own : public Running_subject {
     return tell(c, solid, most_faces, answer, exits);
   }
 
+  Told<Depth> depth(const Object_case& c) override
+  {
+    constexpr std::size_t boxes = 2000;
+    const auto solid = kernel::Question::solid;
+    return tell(c, solid, most_faces, [&] { return pair_->query(solid)->depth(c.pose_a, c.pose_b, {1e-9, boxes}); });
+  }
+
   Outcome within(const Object_case& c, kernel::Question question, const std::string& limit) override
   {
     const Told<bool> told =

@@ -2,6 +2,7 @@
 #define TETRACONE_VERIFY_SUBJECTS_OBJECT_SUBJECT_H
 
 #include "tetracone/kernel/predicate/contact.h"
+#include "tetracone/tetratree/door/depth.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "verify/cases/case.h"
 #include "verify/subjects/running.h"
@@ -58,6 +59,7 @@ class Running_subject {
   virtual Told<Contact_forms> contacts(const Object_case&) { return {}; }
   virtual Told<Distance_answer> distance(const Object_case&, kernel::Question) { return {}; }
   virtual Told<Solid_answer> solids(const Object_case&) { return {}; }
+  virtual Told<Depth> depth(const Object_case&) { return {}; }
   virtual Told<Exit_answer> exits(const Object_case&, const std::array<kernel::Rational, 3>&) { return {}; }
 
   /// Answers whether the distance is at most the limit, a decimal or fraction.
