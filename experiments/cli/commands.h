@@ -26,6 +26,12 @@ void add_distance_command(CLI::App& app);
 /// overlap, one line per pose.
 void add_relation_command(CLI::App& app);
 
+/// `exit A B --along X Y Z`: the first and the last exit of A along a direction, exactly, one line per pose.
+void add_exit_command(CLI::App& app);
+
+/// `depth A B`: a bracket of the least translation that parts the interiors, and its vector, one line per pose.
+void add_depth_command(CLI::App& app);
+
 /// `inside MODEL POINTS`: 1 inside, 0 on the surface, -1 outside, exactly, one line per point.
 void add_inside_command(CLI::App& app);
 

@@ -58,6 +58,9 @@ constexpr std::array experiments = {
                run_budget, "--race-frames --seed"},
     Experiment{"demand", "how much of what could be made do the frames of a scene make, and what does that save?",
                "20 s", run_demand, "--race-frames --seed"},
+    Experiment{"penetration",
+               "what do an exit along a direction and the least translation cost, beside a first contact?", "1 min",
+               run_penetration, "--race-frames --seed --full"},
     Experiment{"points", "what does a point in a solid cost, and the first hit of a ray, against CGAL?", "1 min",
                run_points, "--points --mesh --seed --full"},
     Experiment{"measures",
@@ -116,10 +119,10 @@ void add_experiment_command(CLI::App& app)
   add_default(*command, "--rotations", options->rotations, "study, contact-cost: poses of each degenerate scenario")
       ->check(poses);
   add_default(*command, "--race-frames", options->race_frames,
-              "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes, budget, demand, "
-              "measures: poses "
-              "of each trajectory (peers: of each of eight circles; coherence: of the coarsest walk; scenes and "
-              "budget: a twentieth, demand: a tenth); moving-bodies: motions of each course")
+              "peers, scaling, ablation, paper, distance, threads, coherence, contacts, penetration, scenes, budget, "
+              "demand, measures: poses of each trajectory (peers: of each of eight circles; coherence: of the coarsest "
+              "walk; scenes and budget: a twentieth, penetration: a fiftieth, demand: a tenth); moving-bodies: motions "
+              "of each course")
       ->check(poses);
   command
       ->add_option("--race-seconds", options->race_seconds,

@@ -83,6 +83,8 @@ int main(int argc, char** argv)
   tetracone::experiments::add_collide_command(app);
   tetracone::experiments::add_distance_command(app);
   tetracone::experiments::add_relation_command(app);
+  tetracone::experiments::add_exit_command(app);
+  tetracone::experiments::add_depth_command(app);
   tetracone::experiments::add_inside_command(app);
   tetracone::experiments::add_nearest_command(app);
   tetracone::experiments::add_zone_command(app);

@@ -21,6 +21,10 @@ struct Query_data {
   std::unique_ptr<Relation_solver> relation;  // made when a relation of solids or an overlap is
 };
 
+/// Returns the solver of relations, overlaps and penetrations, which is made if need be. Throws Error as
+/// `Query::solid_relation`.
+Relation_solver& relation_of(Query_data& data);
+
 }  // namespace tetracone::detail
 
 #endif

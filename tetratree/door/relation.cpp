@@ -5,18 +5,19 @@
 #include <string>
 
 namespace tetracone {
-namespace {
 
-detail::Relation_solver& relation_of(detail::Query_data& data)
+detail::Relation_solver& detail::relation_of(Query_data& data)
 {
   if (data.question != Question::solid)
     throw Error("query: Question::surface tells no relation of solids; expected Question::solid");
   if (data.options.kernel != Kernel::adaptive)
     throw Error("query: kernel " + kernel_name(data.options.kernel, data.options.tolerance) +
                 " tells no relation of solids; expected adaptive");
-  if (!data.relation) data.relation = detail::relation_solver(data.a, data.b);
+  if (!data.relation) data.relation = relation_solver(data.a, data.b);
   return *data.relation;
 }
+
+namespace {
 
 std::array<std::string, 3> texts(const std::array<kernel::Wide_fraction, 3>& x)
 {
@@ -43,7 +44,7 @@ Solid_contact Query::solid_relation(const Pose& pose_a, const Pose& pose_b)
 }
 Solid_contact Query::solid_relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
-  return relation_of(data()).relation(pose_a, pose_b);
+  return detail::relation_of(data()).relation(pose_a, pose_b);
 }
 
 Solid_relation Query::solid_relation_alone(const Pose& pose_a, const Pose& pose_b)
@@ -52,13 +53,13 @@ Solid_relation Query::solid_relation_alone(const Pose& pose_a, const Pose& pose_
 }
 Solid_relation Query::solid_relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
-  return relation_of(data()).relation_alone(pose_a, pose_b);
+  return detail::relation_of(data()).relation_alone(pose_a, pose_b);
 }
 
 Overlap Query::overlap(const Pose& pose_a, const Pose& pose_b) { return overlap(pose_a.exact(), pose_b.exact()); }
 Overlap Query::overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
-  return relation_of(data()).overlap(pose_a, pose_b);
+  return detail::relation_of(data()).overlap(pose_a, pose_b);
 }
 
 Overlap_bounds Query::overlap_bounds(const Pose& pose_a, const Pose& pose_b)
@@ -67,7 +68,7 @@ Overlap_bounds Query::overlap_bounds(const Pose& pose_a, const Pose& pose_b)
 }
 Overlap_bounds Query::overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
-  return relation_of(data()).overlap_bounds(pose_a, pose_b);
+  return detail::relation_of(data()).overlap_bounds(pose_a, pose_b);
 }
 
 }  // namespace tetracone

@@ -2,11 +2,15 @@
 #define TETRACONE_TETRATREE_DOOR_RELATION_SOLVER_H
 
 #include "tetracone/kernel/contact/cone_sums.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
+#include "tetracone/tetratree/door/depth.h"
+#include "tetracone/tetratree/door/exits.h"
 #include "tetracone/tetratree/door/overlap.h"
 #include "tetracone/tetratree/query_statistics.h"
 
+#include <array>
 #include <memory>
 
 namespace tetracone::detail {
@@ -21,8 +25,8 @@ struct Overlap_data {
   bool has_volume() const { return solid.volume.top != 0; }
 };
 
-/// Answers how solids stand and how much they overlap, by the fast tree and the adaptive kernel. Requires closed
-/// bodies, and det M != 0.
+/// Answers how solids stand, how much they overlap and how they part, by the fast tree and the adaptive kernel.
+/// Requires closed bodies, and det M != 0.
 class Relation_solver {
  public:
   virtual ~Relation_solver() = default;
@@ -30,6 +34,10 @@ class Relation_solver {
   virtual kernel::Solid_contact relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Overlap_bounds overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  /// Requires a direction other than 0.
+  virtual Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                      const std::array<kernel::Rational, 3>& direction) = 0;
+  virtual Depth depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options) = 0;
   virtual tetratree::Query_statistics statistics() const = 0;
   virtual void clear_statistics() = 0;
 };

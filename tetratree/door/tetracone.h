@@ -7,6 +7,8 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/tetratree/door/contacts.h"
+#include "tetracone/tetratree/door/depth.h"
+#include "tetracone/tetratree/door/exits.h"
 #include "tetracone/tetratree/door/motion.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/door/overlap.h"
@@ -323,6 +325,21 @@ class Query {
   Overlap_bounds overlap_bounds(const Pose& pose_a, const Pose& pose_b);
   /// Same, for poses of the templates. Requires det M != 0.
   Overlap_bounds overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// Returns how far A must be moved along a direction, in lengths of it, for the interiors to part: at first, and for
+  /// good. Throws Error for a direction of 0, for a number that is not finite, and as `solid_relation`.
+  Exits exits(const Pose& pose_a, const Pose& pose_b, const std::array<double, 3>& direction);
+  /// Same, for decimals, which stand for the nearest doubles, or fractions "n/d".
+  Exits exits(const Pose& pose_a, const Pose& pose_b, const std::array<std::string, 3>& direction);
+  /// Same, for poses of the templates. Requires det M != 0.
+  Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction);
+
+  /// Returns a bracket of the least translation of A after which the interiors share no point, and the translation that
+  /// attains its upper end. The bracket is never wrong; it is as narrow as asked, unless the budget ends before. Throws
+  /// Error for a relative width that is not in [0, 1), and as `solid_relation`.
+  Depth depth(const Pose& pose_a, const Pose& pose_b, const Depth_options& options = {});
+  /// Same, for poses of the templates. Requires det M != 0.
+  Depth depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options = {});
 
   /// Returns the faces of A, in order, that have a point at most `limit` from B, decided on squares, exactly. There are
   /// none for a negative limit. B is its solid, or its surface under `Question::surface`. The limit is as for `within`.

@@ -248,6 +248,14 @@ py::object solid_relation(Locked_query& self, const py::object& poses_b, const p
   return py::make_tuple(relations, dimensions);
 }
 
+/// Returns the only value of each column.
+py::dict single_values(const py::dict& columns)
+{
+  py::dict one;
+  for (const auto& [name, column] : columns) one[name] = column[py::int_(0)];
+  return one;
+}
+
 py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
@@ -281,10 +289,68 @@ py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object
   columns["exact_volume"] = exact_volumes;
   columns["exact_centroid"] = exact_centroids;
   columns["exact_contact_vector"] = exact_vectors;
-  if (!poses.is_one()) return columns;
-  py::dict one;
-  for (const auto& [name, column] : columns) one[name] = column[py::int_(0)];
-  return one;
+  return poses.is_one() ? single_values(columns) : columns;
+}
+
+py::dict exits(Locked_query& self, const py::object& direction, const py::object& poses_b, const py::args& more,
+               const py::object& poses_a)
+{
+  require_keywords(more, "exits(direction, poses_a=..., poses_b=...)");
+  const py::tuple given(direction);
+  if (given.size() != 3) throw Error("exits: a direction of " + std::to_string(given.size()) + " numbers; expected 3");
+  std::array<std::string, 3> along;
+  for (std::size_t k = 0; k < 3; ++k) along[k] = exact_text(given[k]);
+  const Pose_pairs poses(poses_b, poses_a);
+  std::vector<Exits> found(poses.count);
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.exits(a, b, along); });
+  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  py::array_t<double> first(py::ssize_t(found.size())), last(py::ssize_t(found.size()));
+  py::list exact_first, exact_last;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    first.mutable_data()[k] = found[k].first;
+    last.mutable_data()[k] = found[k].last;
+    exact_first.append(fraction(found[k].exact_first));
+    exact_last.append(fraction(found[k].exact_last));
+  }
+  py::dict columns;
+  columns["first"] = first;
+  columns["last"] = last;
+  columns["exact_first"] = exact_first;
+  columns["exact_last"] = exact_last;
+  return poses.is_one() ? single_values(columns) : columns;
+}
+
+py::dict depth(Locked_query& self, const py::object& poses_b, double relative, std::size_t budget,
+               const py::object& poses_a)
+{
+  const Pose_pairs poses(poses_b, poses_a);
+  std::vector<Depth> found(poses.count);
+  ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
+    found[k] = query.depth(a, b, {relative, budget});
+  });
+  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  const auto count = py::ssize_t(found.size());
+  py::array_t<double> bounds(std::vector<py::ssize_t>{count, 2}), vectors(std::vector<py::ssize_t>{count, 3});
+  py::array_t<bool> exact(count);
+  py::list squares, exact_vectors;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Depth& each = found[k];
+    bounds.mutable_data()[2 * k] = each.low;
+    bounds.mutable_data()[2 * k + 1] = each.high;
+    std::copy(each.vector.begin(), each.vector.end(), vectors.mutable_data() + 3 * k);
+    exact.mutable_data()[k] = each.is_exact;
+    squares.append(fraction(each.exact_square));
+    const auto& x = each.exact_vector;
+    exact_vectors.append(py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2])));
+  }
+  py::dict columns;
+  columns["bounds"] = bounds;
+  columns["vector"] = vectors;
+  columns["is_exact"] = exact;
+  columns["exact_square"] = squares;
+  columns["exact_vector"] = exact_vectors;
+  return poses.is_one() ? single_values(columns) : columns;
 }
 
 py::object features(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
@@ -481,6 +547,32 @@ and errors as of `solid_relation`.
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).overlap([[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_volume"]
+Fraction(1, 48)
+)")
+      .def("exits", &exits, py::arg("direction"), poses_b, poses_a, R"(exits(direction, poses_b, *, poses_a=None)
+
+How far a must be moved along a direction for the interiors of the solids to part: a dict of arrays (n,), `first`, where
+they first share no point, and `last`, from where on they never do again, and of lists of fractions.Fraction,
+`exact_first` and `exact_last`. All are in lengths of the direction, which is three numbers, fractions.Fraction or texts
+"n/d". The solids may touch. Of one pose of each, the single values. Other arguments and errors as of `solid_relation`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).exits([3, 0, 0], [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_first"]
+Fraction(1, 2)
+)")
+      .def("depth", &depth, poses_b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 200000, poses_a,
+           R"(depth(poses_b, *, relative=1e-9, budget=200000, poses_a=None)
+
+The least translation of a for the interiors of the solids to part, in a bracket that is never wrong: a dict of arrays,
+`bounds` (n, 2) of its length, `vector` (n, 3), a translation of the upper length, and `is_exact` (n,), whether it is
+proved that no other is shorter; and of lists of fractions.Fraction, `exact_square` of that length and `exact_vector`.
+The search ends at the relative width, or after `budget` boxes of translations. Of one pose of each, the single values.
+poses_b, poses_a and errors as of `solid_relation`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).depth([[1, 0, 0, 0.75], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_square"]
 Fraction(1, 48)
 )")
       .def("distance", of_poses<&distance>("distance"), poses_b, poses_a, R"(distance(poses_b, *, poses_a=None)

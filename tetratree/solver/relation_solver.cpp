@@ -1,15 +1,21 @@
 #include "tetracone/tetratree/door/relation_solver.h"
 
+#include "tetracone/kernel/contact/direction_view.h"
 #include "tetracone/kernel/number/nearest_root.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/contacts_data.h"
+#include "tetracone/tetratree/penetration/convex_body.h"
+#include "tetracone/tetratree/penetration/depth_search.h"
+#include "tetracone/tetratree/penetration/exit_search.h"
+#include "tetracone/tetratree/penetration/seen_solid.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 #include "tetracone/tetratree/relation/crossing_overlap.h"
 #include "tetracone/tetratree/relation/solid_pair.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -81,16 +87,60 @@ class Bvh8_relation_solver : public Relation_solver {
     return bounds;
   }
 
+  Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+              const std::array<kernel::Rational, 3>& direction) override
+  {
+    Exits exits;
+    if (!interiors_meet(relation_alone(pose_a, pose_b))) return exits;
+    const kernel::Direction_view view(direction);
+    const tetratree::Exit_heights heights = exit_heights(pose_a, pose_b, direction, view);
+    write(heights.first / view.height(), exits.first, exits.exact_first);
+    write(heights.last / view.height(), exits.last, exits.exact_last);
+    return exits;
+  }
+
+  Depth depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options) override
+  {
+    if (!interiors_meet(relation_alone(pose_a, pose_b))) return {};
+    if (are_convex()) {
+      const auto placed = [](const Body_data& body, const kernel::Pose& pose) {
+        return tetratree::placed_convex_solid(body.polyhedron, body.solid_sides(), pose);
+      };
+      const kernel::Convex_solid a = placed(body_[0]->by_triangles(), pose_a),
+                                 b = placed(body_[1]->by_triangles(), pose_b);
+      const kernel::Convex_depth least(a, b);
+      return told({least.vector(), least.square(), 0, true});
+    }
+    if (!depth_search_) depth_search_.emplace(seen(body_[0]->by_triangles()), seen(body_[1]->by_triangles()));
+    const auto exit = [&](const kernel::Rational_point& direction) {
+      const kernel::Direction_view view(direction);
+      const kernel::Rational first = exit_heights(pose_a, pose_b, direction, view).first / view.height();
+      tetratree::Depth_search::Exit found{direction, {}};
+      for (kernel::Rational& x : found.vector) x *= first;
+      for (const auto& normal : exit_search_->normals()) found.normals.push_back(view.normal(normal));
+      return found;
+    };
+    const auto meet = [&](const kernel::Rational_point& v) { return meet_after(pose_a, pose_b, v, 1); };
+    const auto rows = [](const kernel::Pose& pose) {
+      std::array<kernel::Rational, 12> rows;
+      for (int k = 0; k < 12; ++k) rows[std::size_t(k)] = pose.exact(k);
+      return rows;
+    };
+    return told((*depth_search_)(rows(pose_a), rows(pose_b), exit, meet, {options.relative, options.budget}));
+  }
+
   tetratree::Query_statistics statistics() const override
   {
     tetratree::Query_statistics all = collision_.counts();
     if (exactly_) all += exactly_->contacts.counts();
+    if (exit_search_) all += exit_search_->counts();
     return all;
   }
   void clear_statistics() override
   {
     collision_.clear_counts();
     if (exactly_) exactly_->contacts.clear_counts();
+    if (exit_search_) exit_search_->clear_counts();
   }
 
  private:
@@ -143,6 +193,62 @@ class Bvh8_relation_solver : public Relation_solver {
     overlap.data = exact;
     overlap.contact_area = kernel::enclosed_root_sum(found.squared_areas);
     return overlap;
+  }
+
+  static bool interiors_meet(Solid_relation relation)
+  {
+    return relation != Solid_relation::disjoint && relation != Solid_relation::meet;
+  }
+
+  static Depth told(const tetratree::Depth_bracket& found)
+  {
+    Depth depth;
+    const auto [low, high] = kernel::enclosed_root_sum(std::array{found.square});
+    depth.low = found.is_exact ? low : kernel::minimum(found.least, low);
+    depth.high = high;
+    depth.is_exact = found.is_exact;
+    depth.exact_square = kernel::to_string(found.square);
+    for (std::size_t k = 0; k < 3; ++k) write(found.vector[k], depth.vector[k], depth.exact_vector[k]);
+    return depth;
+  }
+
+  bool are_convex()
+  {
+    if (!are_convex_)
+      are_convex_ = std::ranges::all_of(body_, [](const Shared_body& body) {
+        const Body_data& triangles = body->by_triangles();
+        return tetratree::is_convex(triangles.polyhedron, triangles.solid_sides());
+      });
+    return *are_convex_;
+  }
+
+  /// True when the interiors share a point after A has moved by s d.
+  bool meet_after(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const kernel::Rational_point& d,
+                  const kernel::Rational& s)
+  {
+    const auto [moved, unmoved] = kernel::moved_along(pose_a, pose_b, d, s);
+    return interiors_meet(relation_alone(moved, unmoved));
+  }
+
+  /// Requires interiors that share a point.
+  tetratree::Exit_heights exit_heights(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                                       const kernel::Rational_point& direction, const kernel::Direction_view& view)
+  {
+    if (!exit_search_) exit_search_.emplace(seen(body_[0]->by_triangles()), seen(body_[1]->by_triangles()));
+    return (*exit_search_)(view.of(pose_a), view.of(pose_b), [&](const kernel::Rational& rise) {
+      return meet_after(pose_a, pose_b, direction, rise / view.height());
+    });
+  }
+
+  static tetratree::Seen_solid seen(const Body_data& body)
+  {
+    return {body.bvh8(), body.polyhedron, body.solid_sides()};
+  }
+
+  static void write(const kernel::Rational& exact, double& nearest, std::string& text)
+  {
+    nearest = kernel::nearest_double(exact);
+    text = kernel::to_string(exact);
   }
 
   /// What only poses need that the first crossing does not decide.
@@ -248,6 +354,9 @@ class Bvh8_relation_solver : public Relation_solver {
   tetratree::Bvh8_collision<K> collision_;
   tetratree::Pair_memory memory_;
   std::unique_ptr<Exactly> exactly_;
+  std::optional<tetratree::Exit_search> exit_search_;
+  std::optional<tetratree::Depth_search> depth_search_;
+  std::optional<bool> are_convex_;
 };
 
 }  // namespace

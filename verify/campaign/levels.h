@@ -154,6 +154,12 @@ struct Relations : Of_two_bodies<Solid_level> {
   static Findings judge(const Job<Relations>& job);
 };
 
+struct Exits : Of_two_bodies<Exit_level> {
+  static constexpr std::string_view name = "exits";
+  static std::vector<Subject> subjects() { return solid_subjects(); }
+  static Findings judge(const Job<Exits>& job);
+};
+
 }  // namespace levels
 
 /// A level's part of a campaign.
@@ -166,9 +172,10 @@ struct Asked {
 
 /// Some<Level> for every level, in the order in which they are asked.
 template <template <class> class Some>
-using For_levels = std::tuple<Some<levels::Predicates>, Some<levels::Objects>, Some<levels::Features>,
-                              Some<levels::Contacts>, Some<levels::Distances>, Some<levels::Points>, Some<levels::Rays>,
-                              Some<levels::Scenes>, Some<levels::Motions>, Some<levels::Relations>>;
+using For_levels =
+    std::tuple<Some<levels::Predicates>, Some<levels::Objects>, Some<levels::Features>, Some<levels::Contacts>,
+               Some<levels::Distances>, Some<levels::Points>, Some<levels::Rays>, Some<levels::Scenes>,
+               Some<levels::Motions>, Some<levels::Relations>, Some<levels::Exits>>;
 
 /// Calls visit(Some<Level>) for every level.
 template <class Parts, class Visit>

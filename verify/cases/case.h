@@ -67,14 +67,29 @@ struct Solid_overlap {
   friend bool operator==(const Solid_overlap&, const Solid_overlap&) = default;
 };
 
+/// How far A must be moved to leave B, in lengths of a direction: at first, and for good.
+struct Solid_exits {
+  kernel::Rational first = 0, last = 0;
+
+  friend bool operator==(const Solid_exits&, const Solid_exits&) = default;
+};
+
+/// The exits along a direction that a family has counted.
+struct Counted_exits {
+  std::array<kernel::Rational, 3> direction;
+  Solid_exits exits;
+};
+
 /// Two polyhedra with planar faces under two poses. Neighbouring cases of a family may share their polyhedra, so that a
 /// subject prepares them only once.
 struct Object_case {
   std::shared_ptr<const covering::Polyhedron> a, b;
   kernel::Pose pose_a, pose_b;
   Origin origin;
-  std::optional<bool> surface, solid;      ///< the answers, if the family knows them by construction
-  std::optional<Solid_overlap> overlap{};  ///< likewise
+  std::optional<bool> surface, solid;               ///< the answers, if the family knows them by construction
+  std::optional<Solid_overlap> overlap{};           ///< likewise
+  std::optional<Counted_exits> exits{};             ///< likewise
+  std::optional<kernel::Rational> squared_depth{};  ///< of the least translation that parts the interiors; likewise
 
   std::optional<bool> known(kernel::Question question) const
   {

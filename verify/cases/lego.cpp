@@ -310,4 +310,77 @@ Solid_overlap overlap(const Bricks& a, const Bricks& b, const Cell& offset)
   return result;
 }
 
+namespace {
+
+/// Returns the half cells of a body whose winding number is not 0.
+std::vector<Cell> half_cells(const Bricks& bricks, const Cell& offset)
+{
+  std::map<Cell, int> winding;
+  for (const Shell& shell : bricks)
+    for (const Cell& cell : shell.cells)
+      for (const Cell& half : block({0, 0, 0}, {2, 2, 2})) {
+        Cell at;
+        for (int i = 0; i < 3; ++i) at[i] = 2 * cell[i] + half[i] + offset[i];
+        winding[at] += shell.turn;
+      }
+  std::vector<Cell> cells;
+  for (const auto& [at, turns] : winding)
+    if (turns != 0) cells.push_back(at);
+  return cells;
+}
+
+}  // namespace
+
+Solid_exits exits(const Bricks& a, const Bricks& b, const Cell& offset, int axis, int sign)
+{
+  // By the column of half cells along the axis: the places of the half cells in it.
+  const auto columns = [&](const Bricks& bricks, const Cell& off) {
+    std::map<std::pair<int, int>, std::vector<int>> columns;
+    for (const Cell& at : half_cells(bricks, off))
+      columns[{at[(axis + 1) % 3], at[(axis + 2) % 3]}].push_back(sign * at[axis]);
+    return columns;
+  };
+  const auto of_a = columns(a, {0, 0, 0}), of_b = columns(b, offset);
+  // Half cells of one column, which are `steps` apart, overlap at shifts of less than a half from that.
+  std::set<int> steps;
+  for (const auto& [column, places] : of_a)
+    if (const auto other = of_b.find(column); other != of_b.end())
+      for (const int from : places)
+        for (const int to : other->second) steps.insert(to - from);
+  if (!steps.contains(0)) return {0, 0};
+  int first = 1;
+  while (steps.contains(first)) ++first;
+  return {Rational(first) / 2, Rational(*steps.rbegin() + 1) / 2};
+}
+
+Rational squared_depth(const Bricks& a, const Bricks& b, const Cell& offset)
+{
+  // Half cells overlap after translations within a cube of two halves about the step from one to the other.
+  Cells steps;
+  for (const Cell& from : half_cells(a, {0, 0, 0}))
+    for (const Cell& to : half_cells(b, offset)) steps.insert({to[0] - from[0], to[1] - from[1], to[2] - from[2]});
+  // The other translations are a closed set of cells, squares, edges and corners of the grid of halves. Coordinate 2 h
+  // of one of these stands for h, and 2 h + 1 for the interval from h to h + 1.
+  const auto is_free = [&](const Cell& s) {
+    Cell low, high;
+    for (int i = 0; i < 3; ++i) {
+      low[i] = (s[i] - (s[i] & 1)) / 2;
+      high[i] = low[i] + 1 + (s[i] & 1);
+    }
+    return std::ranges::none_of(block(low, high), [&](const Cell& step) { return steps.contains(step); });
+  };
+  int most = 1;
+  for (const Cell& step : steps)
+    for (const int x : step) most = std::max(most, 2 * std::abs(x) + 2);
+  long least = LONG_MAX;
+  for (int x = -most; x <= most; ++x)
+    for (int y = -most; y <= most; ++y)
+      for (int z = -most; z <= most; ++z) {
+        // The nearest point of the interval from h to h + 1, and of h, is as many halves away.
+        const long i = std::abs(x) / 2, j = std::abs(y) / 2, k = std::abs(z) / 2, square = i * i + j * j + k * k;
+        if (square < least && is_free({x, y, z})) least = square;
+      }
+  return Rational(least) / 4;
+}
+
 }  // namespace tetracone::verify::lego

@@ -178,6 +178,17 @@ Object_case lego_bricks(Random& random, double parameter)
     overlap.centroid = image(frame, overlap.centroid);
   }
   c.overlap = overlap;
+
+  const int axis = int(random.bits() % 3), sign = random.bits() % 2 == 0 ? 1 : -1;
+  Exact_vector direction = {0, 0, 0};
+  direction[axis] = sign;
+  c.exits = {turned(frame, direction), lego::exits(pair.a, pair.b, pair.offset, axis, sign)};
+  const auto column = [&](int k) { return turned(frame, {k == 0, k == 1, k == 2}); };
+  const Rational square = dot(column(0), column(0));
+  bool is_similarity = true;
+  for (int k = 0; k < 3; ++k)
+    is_similarity = is_similarity && dot(column(k), column(k)) == square && dot(column(k), column((k + 1) % 3)) == 0;
+  if (is_similarity) c.squared_depth = square * lego::squared_depth(pair.a, pair.b, pair.offset);
   return c;
 }
 

@@ -40,6 +40,10 @@ std::span<const Distance_level::Relation> distance_relations();
 using Solid_level = Level<Object_case, Solid_answer, Running_subject>;
 std::span<const Solid_level::Relation> solid_relations();
 
+/// Two bodies: how far one must be moved to leave the other.
+using Exit_level = Level<Object_case, Exit_answer, Running_subject>;
+std::span<const Exit_level::Relation> exit_relations();
+
 /// A body: where a point is.
 using Point_level = Level<Probe_case, int>;
 std::span<const Point_level::Relation> point_relations();

@@ -3,6 +3,7 @@
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/contacts_data.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "verify/cases/exit_direction.h"
 
 #include <algorithm>
 #include <array>
@@ -105,6 +106,26 @@ class Own : public Running_subject {
       return answer;
     };
     return tell(c, solid, most_faces, answer, contact);
+  }
+
+  Told<Exit_answer> exits(const Object_case& c, const std::array<kernel::Rational, 3>& direction) override
+  {
+    const auto solid = kernel::Question::solid;
+    const std::array<std::string, 3> along = as_texts(direction);
+    const auto exits = [&](const kernel::Pose& pose_b) { return pair_->query(solid)->exits(c.pose_a, pose_b, along); };
+    const auto answer = [&] {
+      const Exits found = exits(c.pose_b);
+      return Exit_answer{
+          {kernel::Rational(found.exact_first), kernel::Rational(found.exact_last)}, found.first, found.last};
+    };
+    return tell(c, solid, most_faces, answer, exits);
+  }
+
+  Told<Depth> depth(const Object_case& c) override
+  {
+    constexpr std::size_t boxes = 2000;
+    const auto solid = kernel::Question::solid;
+    return tell(c, solid, most_faces, [&] { return pair_->query(solid)->depth(c.pose_a, c.pose_b, {1e-9, boxes}); });
   }
 
   Outcome within(const Object_case& c, kernel::Question question, const std::string& limit) override

@@ -2,6 +2,7 @@
 #define TETRACONE_VERIFY_SUBJECTS_OBJECT_SUBJECT_H
 
 #include "tetracone/kernel/predicate/contact.h"
+#include "tetracone/tetratree/door/depth.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/door/overlap.h"
 #include "verify/cases/case.h"
@@ -44,6 +45,12 @@ struct Solid_answer {
   Overlap_bounds bounds;
 };
 
+/// The exits of a solid along a direction, and the nearest doubles.
+struct Exit_answer {
+  Solid_exits exits;
+  double first = 0, last = 0;
+};
+
 /// A running object subject, for one thread. It keeps what it prepared for the polyhedra of the last case.
 class Running_subject {
  public:
@@ -55,6 +62,8 @@ class Running_subject {
   virtual Told<Contact_forms> contacts(const Object_case&) { return {}; }
   virtual Told<Distance_answer> distance(const Object_case&, kernel::Question) { return {}; }
   virtual Told<Solid_answer> solids(const Object_case&) { return {}; }
+  virtual Told<Depth> depth(const Object_case&) { return {}; }
+  virtual Told<Exit_answer> exits(const Object_case&, const std::array<kernel::Rational, 3>&) { return {}; }
 
   /// Answers whether the distance is at most the limit, a decimal or fraction.
   virtual Outcome within(const Object_case&, kernel::Question, const std::string&) { return Outcome::not_asked; }
@@ -111,7 +120,7 @@ std::vector<Object_subject> contact_subjects();
 std::vector<Object_subject> distance_subjects();
 inline constexpr std::size_t most_faces_in_rationals = 24;
 
-/// Returns those that campaigns ask for the relations of solids: the fast tree of the adaptive kernel, also remembering
+/// Returns those that campaigns ask for the relations and exits of solids: the fast tree of the adaptive kernel, also remembering
 /// and with whole faces as leaves.
 std::vector<Object_subject> solid_subjects();
 

@@ -31,11 +31,7 @@ class Two_solids {
     return std::ranges::any_of(pieces_, [](const Surface_piece& piece) { return piece.is_on[0] && piece.is_on[1]; });
   }
 
-  bool share_interior() const
-  {
-    return std::ranges::any_of(pieces_,
-                               [](const Surface_piece& piece) { return is_common(piece, 0) || is_common(piece, 1); });
-  }
+  bool share_interior() const { return verify::share_interior(pieces_); }
 
   // True when some part of a body's surface is in the other solid, or on its surface.
   bool has_surface_in(int body, int other) const

@@ -51,6 +51,9 @@ struct Surface_piece {
 /// Returns pieces whose union is that of all triangles of both surfaces.
 std::vector<Surface_piece> surface_pieces(const std::array<std::vector<Placed_element>, 2>& surfaces);
 
+/// True when the solids of both surfaces have a side of some piece in common: their interiors share a point.
+bool share_interior(const std::vector<Surface_piece>& pieces);
+
 /// A part of a surface's segment, or a point of it. No element of either surface ends or begins between its ends.
 struct Curve_piece {
   Exact_vector from, to, middle;

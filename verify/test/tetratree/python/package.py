@@ -139,6 +139,32 @@ class Answers(Case):
         self.error("query: kernel double tells no relation of solids; expected adaptive",
                    Query(Body(*CUBE), Body(*CUBE), kernel="double").solid_relation, IDENTITY)
 
+    def test_exits_along_a_direction(self):
+        query = Query(Body(*CUBE), Body(*CUBE))
+        poses = translations([0.5, 0, 0], [0, 0, 0.25], [2, 0, 0])
+        exits = query.exits([1, 0, 0], poses)
+        self.assertEqual(exits["first"].tolist(), [1.5, 1, 0])
+        self.assertEqual(exits["last"].tolist(), [1.5, 1, 0])
+        self.assertEqual(query.exits(("3/2", 0, Fraction(1, 7)), poses[0])["exact_last"], 1)
+        self.assertEqual(query.exits([-3.0, 0, 0], None, poses_a=poses[0])["exact_first"], Fraction(1, 2))
+        self.error("exits: the direction is 0; expected a vector of some length", query.exits, [0, 0, 0], IDENTITY)
+        self.error("exits: a direction of 2 numbers; expected 3", query.exits, [1, 0], IDENTITY)
+        self.error("exits: 'nan' in the direction; expected a finite decimal number or a fraction n/d",
+                   query.exits, [0, float("nan"), 0], IDENTITY)
+
+    def test_depths(self):
+        query = Query(Body(*CUBE), Body(*CUBE))
+        depth = query.depth(translations([0.5, 0.25, 0], [2, 0, 0]))
+        self.assertEqual(depth["bounds"].tolist(), [[0.5, 0.5], [0, 0]])
+        self.assertEqual(depth["vector"].tolist(), [[-0.5, 0, 0], [0, 0, 0]])
+        self.assertEqual(depth["is_exact"].tolist(), [True, True])
+        one = query.depth(None, poses_a=translations([1 / 4, 0, 0])[0], relative=0.5)
+        self.assertEqual(one["exact_square"], Fraction(9, 16))
+        self.assertEqual(one["exact_vector"], (Fraction(3, 4), 0, 0))
+        self.assertFalse(query.depth(IDENTITY, budget=0)["is_exact"])
+        self.error("depth: a relative width of 2; expected a number from 0 to below 1",
+                   lambda: query.depth(IDENTITY, relative=2))
+
     def test_poses_of_both_bodies_go_by_keyword(self):
         cube = Body(*CUBE)
         query, scene = Query(cube, cube), tetracone.Scene([cube] * 2)
@@ -149,8 +175,9 @@ class Answers(Case):
         for name in ("collide", "relation", "solid_relation", "overlap", "distance", "features", "contacts"):
             with self.assertRaisesRegex(TypeError, rf"^query: poses of both .*; expected {name}\(poses_a=..., poses_b=...\)$"):
                 getattr(query, name)(small, IDENTITY)
-        with self.assertRaisesRegex(TypeError, r"expected within\(limit, poses_a=..., poses_b=...\)$"):
-            query.within(1, small, IDENTITY)
+        for name, first in (("within", "limit"), ("exits", "direction")):
+            with self.assertRaisesRegex(TypeError, rf"expected {name}\({first}, poses_a=..., poses_b=...\)$"):
+                getattr(query, name)(1, small, IDENTITY)
         with self.assertRaisesRegex(TypeError, r"expected first_contact\(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...\)$"):
             query.first_contact(small, small, IDENTITY, IDENTITY)
         with self.assertRaisesRegex(TypeError, r"expected first_contacts\(poses_0=..., poses_1=...\)$"):

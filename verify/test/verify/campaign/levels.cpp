@@ -6,6 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -154,6 +155,30 @@ Object_subject spoiled_solids(const char* name, Spoils_solids::Spoil spoil)
   return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_solids>(spoil); }};
 }
 
+/// The adaptive tree's exits, except for one statement.
+class Spoils_exits : public Running_subject {
+ public:
+  using Spoil = void (*)(Exit_answer& answer);
+  explicit Spoils_exits(Spoil spoil) : spoil_(spoil), right_(solid_subjects()[0].make()) {}
+
+  Outcome operator()(const Object_case& c, Question question) override { return (*right_)(c, question); }
+  Told<Exit_answer> exits(const Object_case& c, const std::array<tetracone::kernel::Rational, 3>& direction) override
+  {
+    auto told = right_->exits(c, direction);
+    spoil_(told.answer);
+    return told;
+  }
+
+ private:
+  Spoil spoil_;
+  std::unique_ptr<Running_subject> right_;
+};
+
+Object_subject spoiled_exits(const char* name, Spoils_exits::Spoil spoil)
+{
+  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_exits>(spoil); }};
+}
+
 Solid_relation another(Solid_relation relation) { return Solid_relation(7 - int(relation)); }
 
 class Tells_nothing : public Running_subject {
@@ -242,6 +267,34 @@ BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted
   BOOST_TEST(rows.sum("false_negatives", "doubles", "overlap") == asked);
   for (const char* question : {"relation", "overlap"}) BOOST_TEST(rows.sum(wrong, "dimension", question) == 0);
   BOOST_TEST(rows.sum("not_asked", "nothing") == 3 * asked);
+}
+
+BOOST_AUTO_TEST_CASE(every_exit_is_exact_and_each_wrong_statement_is_counted)
+{
+  Rows<levels::Exits> rows(named({"lego", "random", "nested", "nested-touching", "face-on-face", "degenerate-face"}),
+                           {solid_subjects()[0],
+                            solid_subjects()[1],
+                            solid_subjects()[2],
+                            spoiled_exits("first", [](Exit_answer& a) { a.exits.first += 1; }),
+                            spoiled_exits("last", [](Exit_answer& a) { a.exits.last += 1; }),
+                            spoiled_exits("doubles", [](Exit_answer& a) { a.last = std::nextafter(a.last, HUGE_VAL); }),
+                            {"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }}});
+  rows.ask(4);
+  const std::int64_t asked = rows.truth("n") / 2;
+  BOOST_TEST(asked > 6);
+  BOOST_TEST(rows.truth("positives") > asked / 4);
+  BOOST_TEST(rows.truth("by_construction") == 2 * 4);
+  for (const Object_subject& subject : solid_subjects()) {
+    BOOST_TEST(rows.sum("n", subject.name) == 2 * asked, subject.name);
+    BOOST_TEST(rows.sum(wrong, subject.name) == 0, subject.name);
+    BOOST_TEST(rows.relations("violated", subject.name) == 0, subject.name);
+    BOOST_TEST(rows.relations("tried", subject.name) > 0, subject.name);
+  }
+  BOOST_TEST(rows.sum(wrong, "first", "first exit") == asked);
+  BOOST_TEST(rows.sum(wrong, "last", "last exit") == asked);
+  BOOST_TEST(rows.sum(wrong, "doubles", "last exit") == asked);
+  for (const char* subject : {"last", "doubles"}) BOOST_TEST(rows.sum(wrong, subject, "first exit") == 0);
+  BOOST_TEST(rows.sum("not_asked", "nothing") == 2 * asked);
 }
 
 BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_judged)

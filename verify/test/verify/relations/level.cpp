@@ -1,5 +1,6 @@
 #include "verify/relations/level.h"
 
+#include "verify/cases/exit_direction.h"
 #include "verify/families/distance_families.h"
 #include "verify/families/families.h"
 #include "verify/families/moving_body_families.h"
@@ -24,6 +25,7 @@ BOOST_AUTO_TEST_SUITE(test_level)
 
 using namespace tetracone::verify;
 using tetracone::kernel::Question;
+using tetracone::kernel::Rational;
 using tetracone::kernel::Solid_relation;
 
 namespace {
@@ -129,6 +131,26 @@ BOOST_AUTO_TEST_CASE(relations_of_solids_hold_and_are_violated_by_wrong_answers)
   for (const auto& [name, t] : tried) BOOST_TEST(t.held > 1, name);
   for (const char* name : {"R1 collide", "R5 swap", "R6 affine", "R7 face", "R8 order", "R9 transitive"})
     BOOST_TEST(tried[name].noticed > 2, name);
+}
+
+BOOST_AUTO_TEST_CASE(relations_of_exits_hold_and_are_violated_by_wrong_exits)
+{
+  const auto ask = solid_subjects()[0].make();
+  All_tried tried;
+  for (const char* name : {"lego", "nested-touching", "face-on-face", "random"})
+    for (std::uint64_t k = 0; k < 8; ++k) {
+      const Object_case c = find_family(name)->object_case(9, k);
+      if (c.a->face_count() + c.b->face_count() > 40) continue;
+      const auto given = ask->exits(c, exit_direction(c));
+      BOOST_TEST_REQUIRE((given.outcome == Outcome::yes));
+      Exit_answer wrong = given.answer;
+      // Too short, and some way where there is none.
+      wrong.exits.first = wrong.exits.first == 0 ? 1 : Rational(wrong.exits.first / 2);
+      wrong.exits.last += 1;
+      try_all<Exit_level>(tried, exit_relations(), c, Question::solid, *ask, given.answer, *ask, wrong);
+    }
+  for (const auto& [name, t] : tried) BOOST_TEST(t.held > 1, name);
+  for (const auto& [name, t] : tried) BOOST_TEST(t.noticed > 2, name);
 }
 
 BOOST_AUTO_TEST_CASE(a_nudge_that_leads_nowhere_is_noticed)

@@ -1,0 +1,125 @@
+#include "experiments/queries/experiments.h"
+
+#include "experiments/support/csv_row.h"
+#include "experiments/support/output_file.h"
+#include "experiments/support/stopwatch.h"
+#include "tetracone/tetratree/door/tetracone.h"
+#include "verify/cases/random.h"
+#include "verify/cases/shape_generators.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+/// A place of A, and the direction in which it leaves B.
+struct Stand {
+  Pose pose;
+  std::array<double, 3> direction;
+};
+
+Pose moved(const Pose& pose, const std::array<double, 3>& direction, double length)
+{
+  std::array<double, 12> rows = pose.rows();
+  for (std::size_t i = 0; i < 3; ++i) rows[4 * i + 3] += length * direction[i];
+  return Pose(rows);
+}
+
+/// Returns turned bodies that have so much of their size left to go in a random direction.
+std::vector<Stand> stands(Query& query, int count, double overlap, std::uint64_t seed)
+{
+  verify::Random random(seed);
+  std::vector<Stand> stands;
+  for (int k = 0; k < count; ++k) {
+    const auto q = random.quaternion();
+    const verify::Rotation turn = verify::rotation(q[0], q[1], q[2], q[3]);
+    std::array<double, 12> rows{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) rows[4 * i + j] = turn[i][j];
+    const Pose centred(rows);
+    const std::array<double, 3> direction = random.direction();
+    const double way = query.exits(centred, Pose(), direction).last;
+    stands.push_back({moved(centred, direction, way - overlap), direction});
+  }
+  return stands;
+}
+
+struct Timed {
+  double total = 0, most = 0, width = 0;
+  std::size_t exact = 0;
+
+  void add(double ns)
+  {
+    total += ns;
+    most = std::max(most, ns);
+  }
+};
+
+void add_row(Csv_table& table, std::size_t triangles, const std::string& place, const std::string& question,
+             std::size_t poses, const Timed& timed, std::uint64_t seed)
+{
+  const double count = double(poses);
+  table.add(Csv_row()
+                .add("triangles", triangles)
+                .add("place", place)
+                .add("question", question)
+                .add("poses", poses)
+                .add("mean_ns", timed.total / count)
+                .add("most_ns", timed.most)
+                .add("exact", timed.exact)
+                .add("mean_width", timed.width / count)
+                .add_origin(seed));
+  std::printf("%6zu  %-7s %-14s %12.0f ns, at most %12.0f, exact %zu of %zu, width %.3g\n", triangles, place.c_str(),
+              question.c_str(), timed.total / count, timed.most, timed.exact, poses, timed.width / count);
+}
+
+}  // namespace
+
+void run_penetration(const Experiment_options& options)
+{
+  make_folder(options.out);
+  Csv_table table;
+  std::vector<std::size_t> sizes = {200, 1000};
+  if (options.full) sizes.push_back(7172);
+  for (const std::size_t triangles : sizes) {
+    const Body body(verify::blob(triangles, options.seed));
+    body.make_all();
+    Query query(body, body);
+    const double size = 2 * verify::radius(body.polyhedron());
+    for (const auto& [place, share, relative] :
+         {std::tuple("shallow", 0.01, 1e-9), std::tuple("deep", 1 / 3.0, 1e-3)}) {
+      const auto all = stands(query, std::max(1, options.race_frames / 50), share * size, options.seed);
+      Timed exits, contacts, depths;
+      for (const auto& [pose, direction] : all) {
+        query.exits(pose, Pose(), direction);  // what is made on demand is there
+        Stopwatch watch;
+        query.exits(pose, Pose(), direction);
+        exits.add(watch.nanoseconds());
+        const Motion in = Motion::linear(moved(pose, direction, size), pose), rest = Motion::linear(Pose(), Pose());
+        query.first_contact(in, rest);
+        watch = Stopwatch();
+        query.first_contact(in, rest);
+        contacts.add(watch.nanoseconds());
+        watch = Stopwatch();
+        const Depth depth = query.depth(pose, Pose(), {relative});
+        depths.add(watch.nanoseconds());
+        depths.exact += depth.is_exact;
+        depths.width += (depth.high - depth.low) / depth.high;
+      }
+      exits.exact = contacts.exact = all.size();
+      add_row(table, body.polyhedron().face_count(), place, "exit", all.size(), exits, options.seed);
+      add_row(table, body.polyhedron().face_count(), place, "first contact", all.size(), contacts, options.seed);
+      add_row(table, body.polyhedron().face_count(), place, "depth", all.size(), depths, options.seed);
+    }
+  }
+  write_whole(options.out / "penetration.csv", table.text());
+}
+
+}  // namespace tetracone::experiments

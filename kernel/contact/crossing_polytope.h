@@ -1,0 +1,129 @@
+#ifndef TETRACONE_KERNEL_CONTACT_CROSSING_POLYTOPE_H
+#define TETRACONE_KERNEL_CONTACT_CROSSING_POLYTOPE_H
+
+#include "tetracone/kernel/contact/shift_range.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/number.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace tetracone::kernel {
+
+/// A box of translations of A, along the axes: all centre + x with |x_k| <= half[k].
+struct Translation_box {
+  std::array<double, 3> centre, half;
+
+  /// Lower bound of the length of its translations.
+  double least_length() const
+  {
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = maximum(std::abs(centre[k]) - half[k], 0.0);
+      square += x * x;
+    }
+    return std::sqrt(square) * (1 - few_roundings);
+  }
+};
+
+/// The translations v for which piece a of A, moved by v, shares a point with piece b of B: the Minkowski difference
+/// b - a. Where the planes of the pieces are not parallel, a goes through b for every v in its inside.
+///
+/// It is kept as half-spaces n . v < limit, of which those are left out that hold all of a ball about 0. Numbers are
+/// rounded; `inner` is a limit that is surely small enough, `outer` one that is surely large enough.
+class Crossing_polytope {
+ public:
+  /// Requires a block of upward rounding. Nothing is known of pieces that are not bounded. `radius` is an upper bound of the ball's, exactly the root
+  /// of `square`. Translations that are asked for have coordinates of at most `most`. exactly(axis) returns what the
+  /// exact pieces say of an axis, as Allowed<Rational>, and its exact direction.
+  template <class Exactly>
+  Crossing_polytope(const Convex_piece<Height_interval>& a, const Convex_piece<Height_interval>& b, bool are_bounded,
+                    double radius, double most, const Exactly& exactly)
+  {
+    if (!are_bounded) {
+      half_spaces_.push_back({{0, 0, 0}, -HUGE_VAL, HUGE_VAL});
+      return;
+    }
+    detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
+      if (axis.kind == Shift_axis::Kind::edge_of_a || axis.kind == Shift_axis::Kind::edge_of_b) return true;
+      const Number_point<Height_interval> n = detail::direction(axis, a, b);
+      if (detail::may_be_zero(n) && exactly.is_zero(axis)) return true;
+      const detail::Extent<Height_interval> of_a(n, a), of_b(n, b);
+      add(axis, 1, n, of_b.high - of_a.low, radius, most, exactly);
+      add(axis, -1, n, of_a.high - of_b.low, radius, most, exactly);
+      return !is_beyond_;
+    });
+  }
+
+  /// True when it surely has no point in the ball.
+  bool is_beyond() const { return is_beyond_; }
+
+  /// True when its inside surely has all translations of a box that are inside the ball.
+  bool holds(const Translation_box& box) const
+  {
+    for (const Half_space& h : half_spaces_)
+      if (!(h.middle(box) + h.reach(box) <= h.inner)) return false;
+    return true;
+  }
+
+  /// True when it may have a translation of the box.
+  bool may_meet(const Translation_box& box) const
+  {
+    for (const Half_space& h : half_spaces_)
+      if (h.middle(box) - h.reach(box) > h.outer) return false;
+    return true;
+  }
+
+ private:
+  struct Half_space {
+    std::array<double, 3> normal;
+    double inner, outer;
+
+    double middle(const Translation_box& box) const
+    {
+      return normal[0] * box.centre[0] + normal[1] * box.centre[1] + normal[2] * box.centre[2];
+    }
+    double reach(const Translation_box& box) const
+    {
+      return std::abs(normal[0]) * box.half[0] + std::abs(normal[1]) * box.half[1] + std::abs(normal[2]) * box.half[2];
+    }
+  };
+
+  template <class Exactly>
+  void add(const Shift_axis& axis, int sign, const Number_point<Height_interval>& n, const Height_interval& limit,
+           double radius, double most, const Exactly& exactly)
+  {
+    Half_space h;
+    // What a product with the rounded normal may be off, for all translations that are asked for.
+    Height_interval off = 0, magnitude = 0, square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Height_interval x = sign > 0 ? n[k] : -n[k];
+      h.normal[k] = x.inf() / 2 + x.sup() / 2;
+      off += Height_interval(x.sup()) - Height_interval(x.inf());
+      magnitude += Height_interval(maximum(std::abs(x.inf()), std::abs(x.sup())));
+      square += x * x;
+    }
+    const Height_interval slack = (off + magnitude * few_roundings) * most + CGAL::abs(limit) * few_roundings;
+    h.inner = (limit - slack).inf();
+    h.outer = (limit + slack).sup();
+    // The largest product with a translation of the ball.
+    const Height_interval length = CGAL::sqrt(square), largest = length * radius;
+    if (largest.sup() <= limit.inf()) return;
+    if (-largest.inf() > limit.sup() && length.inf() > 0) is_beyond_ = true;
+    const bool is_tangent = std::abs(limit.sup() - largest.inf()) <= largest.sup() * tangent;
+    if (is_tangent && exactly.is_outside_ball(axis, sign)) return;
+    half_spaces_.push_back(h);
+  }
+
+  /// Planes are compared exactly with the ball where their distances from 0 differ by a smaller share.
+  static constexpr double tangent = 0x1p-30;
+
+  std::vector<Half_space> half_spaces_;
+  bool is_beyond_ = false;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,253 @@
+#ifndef TETRACONE_KERNEL_CONTACT_SHIFT_RANGE_H
+#define TETRACONE_KERNEL_CONTACT_SHIFT_RANGE_H
+
+#include "tetracone/kernel/contact/corner_point.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/number.h"
+
+#include <CGAL/Interval_nt.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+/// By how much a convex polygon of A has to rise for it to meet one of B.
+///
+/// Heights are along z, as in `Direction_view`. N is `Rational`, or `Height_interval` in a block of upward rounding.
+namespace tetracone::kernel {
+
+using Height_interval = CGAL::Interval_nt_advanced;
+
+/// A convex polygon with area: its corners in order, of which no three are on one line.
+template <class N>
+struct Convex_piece {
+  std::array<Number_point<N>, 4> corner;
+  int count = 0;  ///< 3 or 4
+};
+
+/// True where no sum or product of `Shift_range` overflows.
+inline bool is_bounded(const Convex_piece<Height_interval>& piece)
+{
+  for (int k = 0; k < piece.count; ++k)
+    for (const Height_interval& x : piece.corner[k])
+      if (!(x.inf() >= -0x1p200 && x.sup() <= 0x1p200)) return false;
+  return true;
+}
+
+/// An axis along which two pieces are compared: across an edge of one and the direction of the shift, along a normal,
+/// or across an edge of each.
+struct Shift_axis {
+  enum class Kind { edge_of_a, edge_of_b, normal_of_a, normal_of_b, edges } kind;
+  int edge_a = 0, edge_b = 0;
+};
+
+namespace detail {
+
+inline double lower(const Height_interval& x) { return x.inf(); }
+inline double upper(const Height_interval& x) { return x.sup(); }
+inline const Rational& lower(const Rational& x) { return x; }
+inline const Rational& upper(const Rational& x) { return x; }
+
+inline Height_interval least(const Height_interval& x, const Height_interval& y)
+{
+  return {minimum(x.inf(), y.inf()), minimum(x.sup(), y.sup())};
+}
+inline Height_interval largest(const Height_interval& x, const Height_interval& y)
+{
+  return {maximum(x.inf(), y.inf()), maximum(x.sup(), y.sup())};
+}
+inline Rational least(const Rational& x, const Rational& y) { return x < y ? x : y; }
+inline Rational largest(const Rational& x, const Rational& y) { return x > y ? x : y; }
+
+inline bool may_be_zero(const Number_point<Height_interval>& x)
+{
+  return x[0].inf() <= 0 && x[0].sup() >= 0 && x[1].inf() <= 0 && x[1].sup() >= 0 && x[2].inf() <= 0 && x[2].sup() >= 0;
+}
+
+template <class N>
+Number_point<N> edge(const Convex_piece<N>& piece, int k)
+{
+  return step(piece.corner[k], piece.corner[(k + 1) % piece.count]);
+}
+template <class N>
+Number_point<N> normal(const Convex_piece<N>& piece)
+{
+  return product(edge(piece, 0), step(piece.corner[0], piece.corner[2]));
+}
+template <class N>
+Number_point<N> beside(const Number_point<N>& edge)
+{
+  return {N(-edge[1]), edge[0], N(0)};
+}
+
+template <class N>
+Number_point<N> direction(const Shift_axis& axis, const Convex_piece<N>& a, const Convex_piece<N>& b)
+{
+  switch (axis.kind) {
+    case Shift_axis::Kind::edge_of_a: return beside(edge(a, axis.edge_a));
+    case Shift_axis::Kind::edge_of_b: return beside(edge(b, axis.edge_b));
+    case Shift_axis::Kind::normal_of_a: return normal(a);
+    case Shift_axis::Kind::normal_of_b: return normal(b);
+    case Shift_axis::Kind::edges: break;
+  }
+  return product(edge(a, axis.edge_a), edge(b, axis.edge_b));
+}
+
+/// The least and the largest product of a direction with the corners of a piece.
+template <class N>
+struct Extent {
+  N low, high;
+
+  Extent(const Number_point<N>& direction, const Convex_piece<N>& piece)
+      : low(inner(direction, piece.corner[0])), high(low)
+  {
+    for (int k = 1; k < piece.count; ++k) {
+      const N at = inner(direction, piece.corner[k]);
+      low = least(low, at);
+      high = largest(high, at);
+    }
+  }
+};
+
+/// The shifts s for which s `rise` lies from `low` to `high`: what an axis allows. `rise` is the axis's own z.
+template <class N>
+struct Allowed {
+  N rise, low, high;
+  bool is_axis;  ///< false where the direction is exactly 0: it says nothing
+
+  Allowed(const Shift_axis& axis, const Convex_piece<N>& a, const Convex_piece<N>& b)
+  {
+    const Number_point<N> n = direction(axis, a, b);
+    const auto is_nothing = [](const N& x) { return lower(x) == 0 && upper(x) == 0; };
+    is_axis = !(is_nothing(n[0]) && is_nothing(n[1]) && is_nothing(n[2]));
+    rise = n[2];
+    const Extent<N> of_a(n, a), of_b(n, b);
+    low = of_b.low - of_a.high;
+    high = of_b.high - of_a.low;
+  }
+
+  bool is_rising() const { return lower(rise) > 0; }
+  bool is_falling() const { return upper(rise) < 0; }
+  bool is_level() const { return lower(rise) == 0 && upper(rise) == 0; }
+  N first() const { return N((is_rising() ? low : high) / rise); }
+  N last() const { return N((is_rising() ? high : low) / rise); }
+};
+
+/// Calls what(axis) for all axes until it returns false. Axes that are level come first.
+template <class N, class What>
+void for_shift_axes(const Convex_piece<N>& a, const Convex_piece<N>& b, const What& what)
+{
+  using Kind = Shift_axis::Kind;
+  for (int i = 0; i < a.count; ++i)
+    if (!what({Kind::edge_of_a, i, 0})) return;
+  for (int j = 0; j < b.count; ++j)
+    if (!what({Kind::edge_of_b, 0, j})) return;
+  if (!what({Kind::normal_of_a}) || !what({Kind::normal_of_b})) return;
+  for (int i = 0; i < a.count; ++i)
+    for (int j = 0; j < b.count; ++j)
+      if (!what({Kind::edges, i, j})) return;
+}
+
+}  // namespace detail
+
+/// The shifts s along z for which piece a, moved by s, shares a point with piece b, where the seen pieces share area.
+///
+/// These are the s for which (0, 0, s) is in the Minkowski difference b - a. Where the planes of a and b are not
+/// parallel, it is a polytope, and the axes are all normals of its facets. Then `low < high` exactly where a line
+/// through its inside is asked, and for every s between them a goes through b. Where they are parallel and not upright,
+/// one s is left, if the seen pieces share area. Nothing is left where one is seen as a line that the other's inside
+/// does not cross, and for upright pieces of parallel planes.
+template <class N>
+class Shift_range {
+ public:
+  using Bound = std::conditional_t<std::is_same_v<N, Rational>, Rational, double>;
+
+  /// Bounds of an end. They are equal in rationals.
+  struct End {
+    Bound least, most;
+  };
+
+  Shift_range(const Convex_piece<N>& a, const Convex_piece<N>& b)
+  {
+    detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
+      restrict_to(detail::Allowed<N>(axis, a, b));
+      return !is_empty_;
+    });
+    if (is_empty_ || !low_ || !(low_->most <= high_->least)) is_certain_ = false;
+  }
+
+  /// True when there is surely no such s.
+  bool is_empty() const { return is_empty_; }
+  /// True when there surely is one. In rationals one of the two is true.
+  bool is_certain() const { return is_certain_; }
+  /// Return the bounds of the ends. An upper bound of `high` and a lower bound of `low` hold without `is_certain`, the
+  /// other two do not. Nothing where no bound is known, which cannot be in rationals.
+  const std::optional<End>& low() const { return low_; }
+  const std::optional<End>& high() const { return high_; }
+
+ private:
+  void restrict_to(const detail::Allowed<N>& allowed)
+  {
+    using detail::lower;
+    using detail::upper;
+    if (!allowed.is_axis) return;
+    if (allowed.is_rising() || allowed.is_falling()) {
+      const N first = allowed.first(), last = allowed.last();
+      if (!low_) {
+        low_ = End{lower(first), upper(first)};
+        high_ = End{lower(last), upper(last)};
+      } else {
+        low_ = End{maximum(low_->least, Bound(lower(first))), maximum(low_->most, Bound(upper(first)))};
+        high_ = End{minimum(high_->least, Bound(lower(last))), minimum(high_->most, Bound(upper(last)))};
+      }
+      if (low_->least > high_->most) is_empty_ = true;
+    } else if (allowed.is_level()) {
+      if (!(upper(allowed.high) > 0 && lower(allowed.low) < 0))
+        is_empty_ = true;
+      else if (!(lower(allowed.high) > 0 && upper(allowed.low) < 0))
+        is_certain_ = false;
+    } else {
+      is_certain_ = false;
+    }
+  }
+
+  std::optional<End> low_, high_;
+  bool is_empty_ = false, is_certain_ = true;
+};
+
+/// Returns the exact end `high` of two pieces that surely have one. The enclosed pieces tell which axes need not be
+/// asked: those beyond `most`, the upper bound that `Shift_range` gave.
+inline Rational exact_high(const Convex_piece<Height_interval>& a, const Convex_piece<Height_interval>& b, double most,
+                           const Convex_piece<Rational>& exact_a, const Convex_piece<Rational>& exact_b)
+{
+  std::optional<Rational> high;
+  detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
+    const detail::Allowed<Height_interval> about(axis, a, b);
+    if (!about.is_axis || !(about.is_rising() || about.is_falling()) || about.last().inf() > most) return true;
+    const Rational last = detail::Allowed<Rational>(axis, exact_a, exact_b).last();
+    if (!high || last < *high) high = last;
+    return true;
+  });
+  return *high;
+}
+
+/// Returns the directions of the axes that allow no s above `high`, the end of two pieces: normals of the facets in which
+/// a leaves b.
+inline std::vector<Number_point<Rational>> directions_at(const Convex_piece<Rational>& a,
+                                                         const Convex_piece<Rational>& b, const Rational& high)
+{
+  std::vector<Number_point<Rational>> directions;
+  detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
+    const detail::Allowed<Rational> allowed(axis, a, b);
+    if ((allowed.is_rising() || allowed.is_falling()) && allowed.last() == high)
+      directions.push_back(detail::direction(axis, a, b));
+    return true;
+  });
+  return directions;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

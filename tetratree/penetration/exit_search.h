@@ -1,0 +1,268 @@
+#ifndef TETRACONE_TETRATREE_PENETRATION_EXIT_SEARCH_H
+#define TETRACONE_TETRATREE_PENETRATION_EXIT_SEARCH_H
+
+#include "tetracone/kernel/bound/view_box.h"
+#include "tetracone/kernel/contact/shift_range.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/tetratree/penetration/seen_solid.h"
+#include "tetracone/tetratree/query_statistics.h"
+
+#include <CGAL/gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// How far a solid must rise to leave another one.
+struct Exit_heights {
+  kernel::Rational first, last;
+};
+
+/// The rises of A, along z of a view, at which the interiors of A and B share a point.
+///
+/// Let F be the set of these rises s, and let a piece be as `Seen_solid` says.
+///
+/// 1. A upright line through no edge of either body meets each solid in intervals between pieces. An interval of A from
+///    a0 to a1 and one of B from b0 to b1 overlap for s from b0 - a1 to b1 - a0. F is the union of these open intervals
+///    over all such lines, since interiors are open.
+/// 2. So an upper end of a part of F is the largest b1 - a0 over the lines that two pieces share: `high` of their
+///    `Shift_range`. The last exit is the largest `high` of all pairs. No pair has a larger one, since every piece is a
+///    side of an interval.
+/// 3. For s between `low` and `high` of two pieces whose planes are not parallel, A's piece goes through B's. Each has
+///    its solid on some side, so the interiors share a point: F has all these s.
+///
+/// The first exit is found by going up. From a rise in F the search goes to the largest `high` of a pair that has the
+/// rise between its ends. If there is no such pair, the relation of the solids at that rise decides, and the search
+/// goes to the least `high` above it.
+class Exit_search {
+ public:
+  Exit_search(Seen_solid a, Seen_solid b) : solid_{std::move(a), std::move(b)} {}
+
+  /// Returns the exits. `map_a` and `map_b` lead from the bodies' coordinates into the view. meet(s) tells whether the
+  /// interiors share a point when A has risen by s. Requires that they do at 0.
+  template <class Meet>
+  Exit_heights operator()(const std::array<kernel::Rational, 12>& map_a, const std::array<kernel::Rational, 12>& map_b,
+                          const Meet& meet)
+  {
+    solid_[0].see(map_a);
+    solid_[1].see(map_b);
+    const kernel::Rational last = *largest_high(nullptr);
+    last_pair_ = {};
+    kernel::Rational at = 0;
+    for (bool is_in = true; at < last; is_in = false) {
+      if (auto high = largest_high(&at)) {
+        at = std::move(*high);
+        continue;
+      }
+      if (!is_in && !meet(at)) break;
+      at = least_high_above(at);
+    }
+    return {at, last};
+  }
+
+  /// Returns normals of planes, in the view, in which the last question's first exit lies.
+  std::vector<kernel::Number_point<kernel::Rational>> normals()
+  {
+    if (!last_pair_[0]) return {};
+    return kernel::directions_at(solid_[0].exactly(*last_pair_[0]), solid_[1].exactly(*last_pair_[1]), last_high_);
+  }
+
+  const Query_statistics& counts() const { return counts_; }
+  void clear_counts() { counts_ = {}; }
+
+ private:
+  using Rational = kernel::Rational;
+
+  struct Pair {
+    double key;  // the least comes first
+    Box_ids box;
+  };
+  /// A pair of pieces whose `high` may be the one that is sought.
+  struct Candidate {
+    Seen_piece *a, *b;
+    double least, most;
+    std::optional<Rational> exact;
+  };
+
+  /// Returns the largest `high` of all pairs or, of those that have a rise between their ends.
+  std::optional<Rational> largest_high(const Rational* through)
+  {
+    const auto [least_at, most_at] = through ? CGAL::to_interval(*through) : std::pair(0.0, 0.0);
+    double best = -std::numeric_limits<double>::infinity();
+    std::vector<Candidate> candidates;
+    const auto key = [&](const kernel::View_box& a, const kernel::View_box& b) -> std::optional<double> {
+      const double most = kernel::most_rise(a, b);
+      if (through && (most <= least_at || kernel::least_rise(a, b) >= most_at)) return std::nullopt;
+      return -most;
+    };
+    const auto compare = [&](Seen_piece& a, Seen_piece& b) {
+      if (a.is_bounded && b.is_bounded) {
+        const CGAL::Protect_FPU_rounding<true> upward;
+        const kernel::Shift_range<kernel::Height_interval> range(a.about, b.about);
+        if (range.is_empty()) return;
+        if (range.high()) {
+          const double most = range.high()->most;
+          if (most <= best || (through && (most <= least_at || range.low()->least >= most_at))) return;
+        }
+        if (range.is_certain() && (!through || (range.low()->most < least_at && range.high()->least > most_at))) {
+          candidates.push_back({&a, &b, range.high()->least, range.high()->most, std::nullopt});
+          best = kernel::maximum(best, range.high()->least);
+          return;
+        }
+      }
+      const auto range = exact_range(a, b);
+      if (range.is_empty() || (through && !(range.low()->most < *through && *through < range.high()->most))) return;
+      add_exact(candidates, a, b, range.high()->most);
+      best = kernel::maximum(best, candidates.back().least);
+    };
+    search(
+        key, [&] { return -best; }, compare);
+    std::erase_if(candidates, [&](const Candidate& c) { return c.most < best; });
+    std::optional<Rational> found;
+    for (Candidate& c : candidates) {
+      const Rational& high = exact_high(c);
+      if (!found || high > *found) note(c, found);
+    }
+    return found;
+  }
+
+  /// Returns the least `high` of a pair that is above a rise. Requires that there is one.
+  Rational least_high_above(const Rational& rise)
+  {
+    const auto [least_at, most_at] = CGAL::to_interval(rise);
+    double best = std::numeric_limits<double>::infinity();
+    std::vector<Candidate> candidates;
+    const auto key = [&](const kernel::View_box& a, const kernel::View_box& b) -> std::optional<double> {
+      if (kernel::most_rise(a, b) < least_at) return std::nullopt;
+      return kernel::least_rise(a, b);
+    };
+    const auto compare = [&](Seen_piece& a, Seen_piece& b) {
+      if (a.is_bounded && b.is_bounded) {
+        const CGAL::Protect_FPU_rounding<true> upward;
+        const kernel::Shift_range<kernel::Height_interval> range(a.about, b.about);
+        if (range.is_empty() || (range.high() && range.high()->most < least_at)) return;
+        if (range.is_certain()) {
+          if (range.high()->least > best) return;
+          if (range.high()->least > most_at) {
+            candidates.push_back({&a, &b, range.high()->least, range.high()->most, std::nullopt});
+            best = kernel::minimum(best, range.high()->most);
+            return;
+          }
+        }
+      }
+      const auto range = exact_range(a, b);
+      if (range.is_empty() || range.high()->most <= rise) return;
+      add_exact(candidates, a, b, range.high()->most);
+      best = kernel::minimum(best, candidates.back().most);
+    };
+    search(
+        key, [&] { return best; }, compare);
+    std::erase_if(candidates, [&](const Candidate& c) { return c.least > best; });
+    std::optional<Rational> found;
+    for (Candidate& c : candidates) {
+      const Rational& high = exact_high(c);
+      if (!found || high < *found) note(c, found);
+    }
+    return *found;
+  }
+
+  void note(const Candidate& c, std::optional<Rational>& found)
+  {
+    found = last_high_ = *c.exact;
+    last_pair_ = {c.a, c.b};
+  }
+
+  /// Compares the pieces of all pairs of leaves that may share a place in the view. key(box of A, box of B) orders
+  /// pairs of boxes, and leaves some out. Pairs with a key above limit() are left out, too.
+  template <class Key, class Limit, class Compare>
+  void search(const Key& key, const Limit& limit, const Compare& compare)
+  {
+    queue_.clear();
+    push({Box_id(), Box_id()}, key);
+    const auto is_later = [](const Pair& x, const Pair& y) { return x.key > y.key; };
+    while (!queue_.empty()) {
+      std::ranges::pop_heap(queue_, is_later);
+      const Pair pair = queue_.back();
+      queue_.pop_back();
+      if (pair.key > limit()) break;
+      ++counts_.pairs_visited;
+      const std::array<bool, 2> is_leaf = {solid_[0].tree().is_leaf(pair.box[0]),
+                                           solid_[1].tree().is_leaf(pair.box[1])};
+      if (is_leaf[0] && is_leaf[1]) {
+        compare_leaves(pair.box, compare);
+        continue;
+      }
+      const bool opens_b =
+          is_leaf[0] || (!is_leaf[1] && solid_[1].box(pair.box[1]).size() > solid_[0].box(pair.box[0]).size());
+      const Bvh8& tree = solid_[opens_b].tree();
+      const Index node = tree.child(pair.box[opens_b]);
+      for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
+        Box_ids closer = pair.box;
+        closer[opens_b] = {node, lane};
+        if (push(closer, key)) std::ranges::push_heap(queue_, is_later);
+      }
+    }
+  }
+
+  template <class Key>
+  bool push(const Box_ids& box, const Key& key)
+  {
+    ++counts_.box_tests;
+    const kernel::View_box &a = solid_[0].box(box[0]), &b = solid_[1].box(box[1]);
+    if (!a.may_cover(b)) return false;
+    const std::optional<double> at = key(a, b);
+    if (at) queue_.push_back({*at, box});
+    return at.has_value();
+  }
+
+  template <class Compare>
+  void compare_leaves(const Box_ids& box, const Compare& compare)
+  {
+    ++counts_.leaf_pairs;
+    const Bvh8 &in_a = solid_[0].tree(), &in_b = solid_[1].tree();
+    for (Index i = 0; i < in_a.leaf_count(box[0]); ++i)
+      for (Index j = 0; j < in_b.leaf_count(box[1]); ++j)
+        for (Seen_piece& a : solid_[0].pieces(in_a.element(box[0], i).face))
+          for (Seen_piece& b : solid_[1].pieces(in_b.element(box[1], j).face)) {
+            ++counts_.triangle_tests;
+            compare(a, b);
+          }
+  }
+
+  kernel::Shift_range<Rational> exact_range(Seen_piece& a, Seen_piece& b)
+  {
+    ++counts_.exact_fallbacks;
+    return {solid_[0].exactly(a), solid_[1].exactly(b)};
+  }
+
+  static void add_exact(std::vector<Candidate>& candidates, Seen_piece& a, Seen_piece& b, const Rational& high)
+  {
+    const auto [least, most] = CGAL::to_interval(high);
+    candidates.push_back({&a, &b, least, most, high});
+  }
+
+  const Rational& exact_high(Candidate& c)
+  {
+    if (!c.exact) {
+      const CGAL::Protect_FPU_rounding<true> upward;
+      c.exact = kernel::exact_high(c.a->about, c.b->about, c.most, solid_[0].exactly(*c.a), solid_[1].exactly(*c.b));
+    }
+    return *c.exact;
+  }
+
+  std::array<Seen_solid, 2> solid_;
+  std::vector<Pair> queue_;
+  std::array<Seen_piece*, 2> last_pair_{};  // whose `high` was found last, and this
+  Rational last_high_;
+  Query_statistics counts_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

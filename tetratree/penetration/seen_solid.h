@@ -1,0 +1,168 @@
+#ifndef TETRACONE_TETRATREE_PENETRATION_SEEN_SOLID_H
+#define TETRACONE_TETRATREE_PENETRATION_SEEN_SOLID_H
+
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/covering/side_windings.h"
+#include "tetracone/kernel/bound/view_box.h"
+#include "tetracone/kernel/contact/face_cells.h"
+#include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/contact/shift_range.h"
+#include "tetracone/tetratree/fast/bvh8.h"
+#include "tetracone/tetratree/relation/solid_sides.h"
+
+#include <CGAL/gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// A convex part of a face, as a view sees it.
+struct Seen_piece {
+  kernel::Convex_piece<kernel::Height_interval> about;
+  std::optional<kernel::Convex_piece<kernel::Rational>> exact;  ///< nothing until it is needed
+  bool is_bounded;                                              ///< `about` can be computed with
+  Index face;
+  std::size_t cell;  ///< of a face that is not a plain triangle
+};
+
+/// A solid and its tree, as a view sees them: convex pieces of faces, and boxes.
+///
+/// The pieces of a face are those that have the solid on some side. A plain triangle is one piece. Every other face is
+/// cut by those that meet it. So no face of the solid goes through a piece, and the solid is the same along all of it.
+class Seen_solid {
+ public:
+  /// `tree` has the faces of `polyhedron` as elements. All must outlive this object.
+  Seen_solid(const Bvh8& tree, const covering::Polyhedron& polyhedron, const Solid_sides& sides)
+      : tree_(&tree), polyhedron_(&polyhedron), sides_(&sides), box_view_(std::array<kernel::Rational, 12>(), {})
+  {}
+
+  const Bvh8& tree() const { return *tree_; }
+
+  /// Sets the view: a row-major 3x4 matrix from the body's coordinates.
+  void see(const std::array<kernel::Rational, 12>& map)
+  {
+    map_ = map;
+    for (std::size_t k = 0; k < 12; ++k) about_map_[k] = CGAL::to_interval(map[k]);
+    box_view_ = kernel::Box_view(map, tree_->scale());
+    boxes_.clear();
+    pieces_.clear();
+  }
+
+  /// Returns the view of a box.
+  const kernel::View_box& box(Box_id id)
+  {
+    auto at = boxes_.find(id.node());
+    if (at == boxes_.end()) at = boxes_.emplace(id.node(), box_view_(tree_->node_of(id).boxes)).first;
+    return at->second[std::size_t(id.lane())];
+  }
+
+  /// Returns the pieces of a face. They stay in their place until the next view.
+  std::vector<Seen_piece>& pieces(Index f)
+  {
+    const auto [at, is_new] = pieces_.try_emplace(f);
+    if (is_new) make_pieces(f, at->second);
+    return at->second;
+  }
+
+  /// Returns a piece in rationals.
+  const kernel::Convex_piece<kernel::Rational>& exactly(Seen_piece& piece)
+  {
+    if (!piece.exact) piece.exact = is_plain(piece.face) ? triangle(piece.face, map_) : seen(cell(piece));
+    return *piece.exact;
+  }
+
+ private:
+  using Rational_piece = kernel::Convex_piece<kernel::Rational>;
+
+  bool is_plain(Index f) const { return sides_->of(f).is_plain; }
+
+  void make_pieces(Index f, std::vector<Seen_piece>& pieces)
+  {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    if (is_plain(f)) {
+      if (sides_->of(f).any_in) add(pieces, {triangle(f, about_map_), std::nullopt, false, f, 0});
+      return;
+    }
+    const std::size_t count = cells(f).size();
+    for (std::size_t c = 0; c < count; ++c) {
+      Seen_piece piece{{}, std::nullopt, false, f, c};
+      const Rational_piece& exact = exactly(piece);
+      piece.about.count = exact.count;
+      for (int k = 0; k < exact.count; ++k)
+        for (std::size_t i = 0; i < 3; ++i) piece.about.corner[k][i] = CGAL::to_interval(exact.corner[k][i]);
+      add(pieces, std::move(piece));
+    }
+  }
+
+  static void add(std::vector<Seen_piece>& pieces, Seen_piece piece)
+  {
+    piece.is_bounded = kernel::is_bounded(piece.about);
+    pieces.push_back(std::move(piece));
+  }
+
+  template <class N>
+  kernel::Convex_piece<N> triangle(Index f, const std::array<N, 12>& map) const
+  {
+    const covering::Loop loop = polyhedron_->loop(f, 0);
+    kernel::Convex_piece<N> piece;
+    for (const Index v : loop) piece.corner[std::size_t(piece.count++)] = kernel::image(polyhedron_->vertices[v], map);
+    return piece;
+  }
+
+  Rational_piece seen(const Rational_piece& local) const
+  {
+    Rational_piece piece = local;
+    for (int k = 0; k < piece.count; ++k)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const kernel::Rational_point row = {map_[4 * i], map_[4 * i + 1], map_[4 * i + 2]};
+        piece.corner[k][i] = kernel::dot(row, local.corner[k]) + map_[4 * i + 3];
+      }
+    return piece;
+  }
+
+  const Rational_piece& cell(const Seen_piece& piece) { return cells(piece.face)[piece.cell]; }
+
+  /// Returns the cells of a face that have the solid on some side, in the body's coordinates.
+  const std::vector<Rational_piece>& cells(Index f)
+  {
+    const auto [at, is_new] = cells_.try_emplace(f);
+    if (!is_new) return at->second;
+    const kernel::Rational_face face = covering::rational_face(*polyhedron_, f, kernel::Pose());
+    if (!face.has_plane()) return at->second;
+    std::vector<kernel::Rational_face::Edge> cuts;
+    for (const Index other : sides_->cutters(f))
+      add_cuts(face, covering::rational_face(*polyhedron_, other, kernel::Pose()), cuts);
+    const kernel::Face_cells cells(face, cuts);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const covering::Sides sides = covering::sides(*polyhedron_, cells.inner_point(c), cells.axis());
+      if (!sides.above && !sides.below) continue;
+      Rational_piece piece;
+      for (const kernel::Rational_point& x : cells.corners(c))
+        if (piece.count == 0 || (x != piece.corner[std::size_t(piece.count - 1)] && x != piece.corner[0]))
+          piece.corner[std::size_t(piece.count++)] = x;
+      at->second.push_back(piece);
+    }
+    return at->second;
+  }
+
+  const Bvh8* tree_;
+  const covering::Polyhedron* polyhedron_;
+  const Solid_sides* sides_;
+  std::array<kernel::Rational, 12> map_;
+  std::array<kernel::Height_interval, 12> about_map_;
+  kernel::Box_view box_view_;
+  std::unordered_map<Index, std::array<kernel::View_box, kernel::lanes>> boxes_;  // by node
+  std::unordered_map<Index, std::vector<Seen_piece>> pieces_;                     // by face
+  std::map<Index, std::vector<Rational_piece>> cells_;                            // of faces that are not plain
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

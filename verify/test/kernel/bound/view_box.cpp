@@ -1,0 +1,82 @@
+#include "tetracone/kernel/bound/view_box.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+BOOST_AUTO_TEST_SUITE(test_view_box)
+
+using namespace tetracone::kernel;
+
+namespace {
+
+/// A node of one box, turned about z by the angle of 3, 4, 5.
+Obb8 one_box()
+{
+  Obb8 boxes{};
+  boxes.lane_count = 1;
+  const float axis[3][3] = {{0.6f, 0.8f, 0}, {-0.8f, 0.6f, 0}, {0, 0, 1}};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) boxes.axis[i][k][0] = axis[i][k];
+    boxes.centre[i][0] = 0.125f * float(i);
+    boxes.origin[i] = 0.25f;
+    boxes.extent[i][0] = 0.0625f * float(i + 1);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_corner_of_a_box_is_within_the_bounds)
+{
+  const Local_scale units{{1, -2, 3}, 4};
+  const std::array<Rational, 12> map = {1, Rational(1, 3), 0, 5, 0, 2, Rational(-1, 7), 0, 1, 1, 3, -1};
+  const Obb8 boxes = one_box();
+  const View_box seen = Box_view(map, units)(boxes)[0];
+  std::array<bool, 5> is_tight{};
+  for (int corner = 0; corner < 8; ++corner) {
+    std::array<Rational, 3> x;
+    for (int k = 0; k < 3; ++k) {
+      x[k] = Rational(boxes.origin[k]) + Rational(boxes.centre[k][0]);
+      for (int i = 0; i < 3; ++i)
+        x[k] += ((corner >> i & 1) ? 1 : -1) * Rational(boxes.axis[i][k][0]) * Rational(boxes.extent[i][0]);
+      x[k] = Rational(units.origin[k]) + units.unit * x[k];
+    }
+    std::array<Rational, 5> at;
+    const auto row = [&](int i) -> Rational {
+      return map[4 * i] * x[0] + map[4 * i + 1] * x[1] + map[4 * i + 2] * x[2] + map[4 * i + 3];
+    };
+    at = {row(0), row(1), row(0) + row(1), row(0) - row(1), row(2)};
+    for (std::size_t k = 0; k < 5; ++k) {
+      BOOST_TEST(Rational(seen.low[k]) <= at[k]);
+      BOOST_TEST(Rational(seen.high[k]) >= at[k]);
+      is_tight[k] = is_tight[k] || at[k] - Rational(seen.low[k]) < Rational(1, 1000000);
+    }
+  }
+  for (const bool tight : is_tight) BOOST_TEST(tight);
+}
+
+BOOST_AUTO_TEST_CASE(rises_are_bounded_outward_and_boxes_beside_each_other_never_meet)
+{
+  View_box a{{0, 0, 0, -1, 0}, {1, 1, 2, 1, 1}}, b = a;
+  BOOST_TEST(a.may_cover(b));
+  BOOST_TEST(least_rise(a, b) < -1);
+  BOOST_TEST(most_rise(a, b) > 1);
+  b.low[3] = 1.5;
+  b.high[3] = 2;
+  BOOST_TEST(!a.may_cover(b));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_too_large_is_not_bounded)
+{
+  const std::array<Rational, 12> map = {1, 0, 0, Rational(0x1p300), 0, 1, 0, 0, 0, 0, 1, 0};
+  const View_box seen = Box_view(map, Local_scale())(one_box())[0];
+  for (std::size_t k = 0; k < 5; ++k) {
+    BOOST_TEST(seen.low[k] == -HUGE_VAL);
+    BOOST_TEST(seen.high[k] == HUGE_VAL);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

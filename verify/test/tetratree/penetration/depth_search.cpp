@@ -1,0 +1,136 @@
+#include "tetracone/tetratree/penetration/depth_search.h"
+
+#include "tetracone/kernel/contact/direction_view.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/door/tetracone.h"
+#include "verify/test/support/scenes.h"
+#include "verify/truth/exit_truth.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(test_depth_search)
+
+namespace scenes = tetracone::verify::scenes;
+using tetracone::Body;
+using tetracone::Depth;
+using tetracone::Polyhedron;
+using tetracone::Query;
+using tetracone::kernel::Pose;
+using tetracone::kernel::Rational;
+
+namespace {
+
+/// Checks what every bracket must hold: its vector parts the solids and has the length that is said.
+Depth checked(Query& query, const Pose& pose_a, const Pose& pose_b, const tetracone::Depth_options& options = {})
+{
+  const Depth depth = query.depth(pose_a, pose_b, options);
+  std::array<Rational, 3> v;
+  Rational square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    v[k] = Rational(depth.exact_vector[k]);
+    square += v[k] * v[k];
+  }
+  BOOST_TEST(square == Rational(depth.exact_square));
+  BOOST_TEST(depth.low <= depth.high);
+  BOOST_TEST(Rational(depth.low) * Rational(depth.low) <= square);
+  BOOST_TEST(Rational(depth.high) * Rational(depth.high) >= square);
+  if (depth.is_exact) BOOST_TEST(depth.high <= std::nextafter(depth.low, HUGE_VAL));
+  const auto [moved, unmoved] = tetracone::kernel::moved_along(pose_a, pose_b, v, 1);
+  const auto relation = query.solid_relation_alone(moved, unmoved);
+  BOOST_TEST((relation == tetracone::Solid_relation::meet || relation == tetracone::Solid_relation::disjoint));
+  return depth;
+}
+
+Depth depth_of(const Polyhedron& a, const Polyhedron& b, const Pose& pose_a = Pose(), const Pose& pose_b = Pose(),
+               const tetracone::Depth_options& options = {})
+{
+  Query query{Body(a), Body(b)};
+  return checked(query, pose_a, pose_b, options);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(boxes_part_across_their_thinnest_overlap)
+{
+  const Polyhedron unit = scenes::unit_cube();
+  const Depth corner = depth_of(unit, unit, scenes::translation(0.5, 0.625, 0.75));
+  BOOST_TEST(corner.is_exact);
+  BOOST_TEST(corner.exact_square == "1/16");
+  BOOST_TEST(corner.exact_vector[2] == "1/4");
+  BOOST_TEST(corner.low == 0.25);
+  BOOST_TEST(corner.high == 0.25);
+  // The whole body goes out by the shortest way.
+  const Depth deep = depth_of(scenes::box({0, 0, 0}, {1, 1, 1}), scenes::box({-1, -2, -3}, {5, 5, 1.5}));
+  BOOST_TEST(deep.exact_square == "9/4");
+  BOOST_TEST(depth_of(unit, unit, scenes::translation(1, 0.5, 0)).exact_square == "0");
+}
+
+BOOST_AUTO_TEST_CASE(the_depth_of_convex_bodies_is_the_least_of_all_normals)
+{
+  scenes::Random random(5);
+  int exact = 0;
+  for (int round = 0; round < 8; ++round) {
+    const Polyhedron a = scenes::cube(1), b = scenes::tetrahedron({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3});
+    const Pose pose_a = scenes::random_rotation(random, 4),
+               pose_b = scenes::random_rotation(random, 4, {Rational(round, 8), 0, Rational(1, 3)});
+    const tetracone::verify::Object_case c{
+        std::make_shared<const Polyhedron>(a), std::make_shared<const Polyhedron>(b), pose_a, pose_b, {}, {}, {}};
+    const Rational truth = tetracone::verify::convex_squared_depth(c);
+    const Depth depth = depth_of(a, b, pose_a, pose_b);
+    BOOST_TEST(Rational(depth.low) * Rational(depth.low) <= truth);
+    BOOST_TEST(Rational(depth.exact_square) >= truth);
+    BOOST_TEST(depth.low >= depth.high * (1 - 1e-9));
+    exact += depth.is_exact && Rational(depth.exact_square) == truth;
+  }
+  BOOST_TEST(exact >= 6);
+}
+
+BOOST_AUTO_TEST_CASE(bodies_that_are_not_convex_part_by_the_shortest_way)
+{
+  // A bolt's head is pressed into a ring by a quarter; a bar goes through a tunnel's wall.
+  Polyhedron frame = scenes::cube_with_tunnel();
+  const Depth through =
+      depth_of(scenes::box({-0.25, -0.25, -9}, {0.25, 0.25, 9}), frame, scenes::translation(1.25, 0, 0));
+  BOOST_TEST(through.low >= through.high * (1 - 1e-9));
+  scenes::Random random(8);
+  for (int round = 0; round < 3; ++round) {
+    const Polyhedron a = scenes::blob(random, 3, 0.75, 1), b = scenes::triangulated(scenes::torus(8, 6));
+    const Pose pose_a = scenes::random_rotation(random, 4, {Rational(1, 3), Rational(2, 5), 1});
+    Query query{Body(a), Body(b)}, turned{Body(b), Body(a)};
+    const Depth depth = checked(query, pose_a, Pose()), swapped = checked(turned, Pose(), pose_a);
+    // Both brackets hold the one truth, which no exit is below.
+    BOOST_TEST(depth.low <= swapped.high);
+    BOOST_TEST(swapped.low <= depth.high);
+    for (const auto& d : {std::array{1.0, 0.0, 0.0}, {0.5, -0.5, 0.5}, {0.0, 0.75, -0.25}})
+      BOOST_TEST(query.exits(tetracone::Pose(pose_a.entries()), tetracone::Pose(), d).first >= 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_small_budget_gives_a_wider_bracket_that_holds_the_truth)
+{
+  const Polyhedron torus = scenes::triangulated(scenes::torus(8, 6));
+  Query query{Body(torus), Body(torus)};
+  const Pose aside = scenes::translation(0.5, 0.25, 0.125);
+  const Depth narrow = checked(query, aside, Pose(), {1e-6, 100000});
+  for (const std::size_t budget : {0, 1, 20, 300}) {
+    const Depth wide = checked(query, aside, Pose(), {1e-6, budget});
+    BOOST_TEST(wide.low <= narrow.high);
+    BOOST_TEST(wide.high >= narrow.low);
+  }
+  BOOST_TEST(checked(query, aside, Pose(), {0.5, 100000}).low >= 0.5 * narrow.low);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_width_is_refused)
+{
+  Query query{Body(scenes::unit_cube()), Body(scenes::unit_cube())};
+  for (const double relative : {-1.0, 1.0, double(NAN)})
+    BOOST_CHECK_THROW(query.depth(Pose(), Pose(), {relative}), tetracone::Error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

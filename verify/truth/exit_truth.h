@@ -1,0 +1,26 @@
+#ifndef TETRACONE_VERIFY_TRUTH_EXIT_TRUTH_H
+#define TETRACONE_VERIFY_TRUTH_EXIT_TRUTH_H
+
+#include "verify/cases/case.h"
+#include "verify/cases/exact_map.h"
+
+/// How far A must be moved to leave B, along a direction by two formulations, and at all; in rationals.
+namespace tetracone::verify {
+
+/// Returns the exits by all events: the shifts at which a vertex is on a triangle, or an edge on an edge, of all pairs
+/// of the two surfaces. Between them nothing changes. At each event, in order, the pieces of both surfaces tell whether
+/// the interiors share a point. For few faces. Requires planar faces, closed polyhedra, det M != 0 and a direction that
+/// is not 0.
+Solid_exits exits_by_events(const Object_case& c, const object_family::Exact_vector& direction);
+
+/// Returns the exit of convex solids whose interiors share a point, else 0. It is the least that a normal of a face, or
+/// a product of two edges, says: these are the normals of the Minkowski difference. Requires convex solids.
+kernel::Rational convex_exit(const Object_case& c, const object_family::Exact_vector& direction);
+
+/// Returns the squared length of the least translation that parts convex solids: the least over the same normals; 0
+/// where the interiors share no point. Requires convex solids.
+kernel::Rational convex_squared_depth(const Object_case& c);
+
+}  // namespace tetracone::verify
+
+#endif
