@@ -15,7 +15,9 @@ namespace {
 using kernel::Pose;
 using kernel::Rational;
 using kernel::Solid_relation;
-using namespace object_family;
+using object_family::composed;
+using object_family::Exact_vector;
+using object_family::times;
 
 /// Relation: a twin has these exits along a direction.
 Verdict exits_are(const Solid_exits& expected, const Exit_level::Trial& t, const Object_case& twin,

@@ -25,8 +25,8 @@ Placed_element moved_by(const Placed_element& element, const Exact_vector& shift
   return {element.dimension, element.winding, corner};
 }
 
-Placed_element point(const Exact_vector& x) { return {0, 0, {x, x, x}}; }
-Placed_element segment(const Segment& s) { return {1, 0, {s.first, s.second, s.first}}; }
+Placed_element point_element(const Exact_vector& x) { return {0, 0, {x, x, x}}; }
+Placed_element segment_element(const Segment& s) { return {1, 0, {s.first, s.second, s.first}}; }
 
 // The triangles of a placed surface, their corners and their edges.
 struct Surface {
@@ -77,7 +77,7 @@ void add_events(const Exact_vector& x, const Exact_vector& d, const Surface& sur
     const Rational rise = dot(triangle->normal, d);
     if (rise == 0) continue;
     const Rational s = dot(triangle->normal, difference(triangle->corner[0], x)) / rise;
-    if (sgn(s) * sign > 0 && meet(point(sum(x, s, d)), *triangle)) events.insert(abs(s));
+    if (sgn(s) * sign > 0 && meet(point_element(sum(x, s, d)), *triangle)) events.insert(abs(s));
   }
 }
 
@@ -128,7 +128,7 @@ Solid_exits exits_by_events(const Object_case& c, const Exact_vector& direction)
       if (rise == 0) continue;
       const Rational s = dot(normal, difference(f.first, e.first)) / rise;
       const Exact_vector shift = times(s, d);
-      if (s > 0 && meet(segment({sum(e.first, shift), sum(e.second, shift)}), segment(f))) events.insert(s);
+      if (s > 0 && meet(segment_element({sum(e.first, shift), sum(e.second, shift)}), segment_element(f))) events.insert(s);
     }
   Solid_exits exits;
   // The set of shifts at which interiors share a point is open: where it ends, it has the event itself no more.
