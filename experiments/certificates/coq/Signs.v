@@ -80,3 +80,64 @@ Proof.
   apply all_signs_all with (s := eab) in all. apply all_signs_all with (s := ebc) in all. apply all_signs_all with (s := eca) in all.
   rewrite e_generic, related in all. exact all.
 Qed.
+
+(** ** Signs of rationals *)
+
+Open Scope Q_scope.
+
+Lemma sign_product x y : sign (x * y) = product (sign x) (sign y).
+Proof.
+  unfold sign. destruct (Qcompare_spec x 0) as [X|X|X], (Qcompare_spec y 0) as [Y|Y|Y]; cbn [product CompOpp];
+    first [rewrite <- Qeq_alt; rewrite ?X, ?Y; ring | rewrite <- Qlt_alt; nra | rewrite <- Qgt_alt; nra].
+Qed.
+
+Lemma sign_opposite x y : x == - y -> sign x = CompOpp (sign y).
+Proof.
+  unfold sign. intros H. destruct (Qcompare_spec y 0) as [Y|Y|Y]; cbn [CompOpp]; [rewrite <- Qeq_alt; lra | rewrite <- Qgt_alt; lra | rewrite <- Qlt_alt; lra].
+Qed.
+
+Lemma may_cancel_sound x y z : x + y + z == 0 -> may_cancel (sign x) (sign y) (sign z) = true.
+Proof.
+  unfold sign. intros H. destruct (Qcompare_spec x 0), (Qcompare_spec y 0), (Qcompare_spec z 0); try reflexivity; exfalso; lra.
+Qed.
+
+(** The sign of a sum with positive weights, where the signs of its terms say it. *)
+Definition agrees (s t u whole : comparison) : bool :=
+  match s, t, u with
+  | Eq, Eq, Eq => is_null whole
+  | Gt, Lt, _ | Lt, Gt, _ | Gt, _, Lt | Lt, _, Gt | _, Gt, Lt | _, Lt, Gt => true
+  | Gt, _, _ | _, Gt, _ | _, _, Gt => match whole with Gt => true | _ => false end
+  | _, _, _ => match whole with Lt => true | _ => false end
+  end.
+
+Lemma agrees_sound f g h x y z w : 0 < f -> 0 < g -> 0 < h -> w == f * x + g * y + h * z -> agrees (sign x) (sign y) (sign z) (sign w) = true.
+Proof.
+  intros F G H W. unfold sign.
+  assert (positive : forall k v, 0 < k -> 0 < v -> 0 < k * v) by (intros; nra).
+  assert (negative : forall k v, 0 < k -> v < 0 -> k * v < 0) by (intros; nra).
+  assert (null : forall k v, v == 0 -> k * v == 0) by (intros k v E; rewrite E; ring).
+  destruct (Qcompare_spec x 0) as [X|X|X], (Qcompare_spec y 0) as [Y|Y|Y], (Qcompare_spec z 0) as [Z|Z|Z]; try reflexivity;
+    (apply (null f) in X || apply (negative f) in X || apply (positive f) in X; auto);
+    (apply (null g) in Y || apply (negative g) in Y || apply (positive g) in Y; auto);
+    (apply (null h) in Z || apply (negative h) in Z || apply (positive h) in Z; auto);
+    destruct (Qcompare_spec w 0); try reflexivity; exfalso; lra.
+Qed.
+
+(** A plane between the ray and the triangle. *)
+Theorem passing_is_generic : forall dab dbc dca abc md, md <> Gt -> agrees dab dbc dca (product abc md) = true ->
+  is_generic dab dbc dca abc = true /\ hit dab dbc dca abc = 0%Z.
+Proof. intros [] [] [] [] []; simpl; intros; try congruence; auto. Qed.
+
+Definition turn_sign (ua ub ab : comparison) : Z :=
+  match ua, ub, ab with Lt, Gt, Gt => 1%Z | Gt, Lt, Lt => (-1)%Z | _, _, _ => 0%Z end.
+
+Definition off_edge (ua ub ab : comparison) : bool := negb (is_null ab) || match product ua ub with Gt => true | _ => false end.
+
+(** The winding number of a crossing about a triangle. *)
+Theorem crossing_is_generic : forall ua ub uc ab bc ca abc, ua <> Eq -> ub <> Eq -> uc <> Eq ->
+  off_edge ua ub ab = true -> off_edge ub uc bc = true -> off_edge uc ua ca = true ->
+  may_cancel (product ua bc) (product ub ca) (product uc ab) = true -> agrees ab bc ca abc = true ->
+  is_generic ab bc ca abc = true /\ hit ab bc ca abc = (turn_sign ua ub ab + turn_sign ub uc bc + turn_sign uc ua ca)%Z.
+Proof.
+  intros [] [] [] [] [] [] []; simpl; intros; try congruence; auto; try discriminate.
+Qed.
