@@ -341,7 +341,7 @@ Definition winding_leaf (up : positive) (p d : grid) (uf : positive) (c : passag
 
 (** The winding number of p in the placed body, by the ray from p along d; none where that is not shown. *)
 Definition check_winding (up : positive) (p d : grid) (m : zpose) (b : zbody) (c : passage) : option Z :=
-  passages (winding_leaf up p d (unit_at m b)) c (place_pieces m b).
+  if is_zero d then None else passages (winding_leaf up p d (unit_at m b)) c (place_pieces m b).
 
 Definition adds_number (up : positive) (p d : grid) (uf : positive) (x : positive * zface) (w : Z) : Prop :=
   adds (over up p) (over 1 d) (face_over uf (snd x)) w.
@@ -409,7 +409,7 @@ Qed.
 Theorem ray_sum_is_winding up p d m b c w : check_body b = true -> check_winding up p d m b c = Some w ->
   winding (pieces_at (moved m b) b) (over up p) w.
 Proof.
-  intros body_b accepted. unfold check_winding in accepted.
+  intros body_b accepted. unfold check_winding in accepted. destruct (is_zero d) eqn:nonzero; [discriminate|].
   destruct (passages_sound _ (adds_number up p d (unit_at m b)) (winding_leaf_sound up p d (unit_at m b)) _ _ _ accepted) as (ws & all & total).
   unfold place_pieces in all. rewrite contents_map in all.
   assert (moved_adds : Forall2 (adds (over up p) (over 1 d)) (map (image (moved m b)) (map snd (contents (groups b)))) ws).
@@ -417,7 +417,7 @@ Proof.
     apply (adds_same_loops _ _ _ _ _ (place_face_same m b (snd x))). assumption. }
   assert (P := Permutation_map (image (moved m b)) (body_is_whole b body_b)).
   destruct (Permutation_Forall2 P moved_adds) as (vs & permuted & all').
-  exists (over 1 d), vs. split; [exact all'|]. rewrite <- total. symmetry. apply sum_permutation. assumption.
+  exists (over 1 d), vs. split; [exact (over_nonzero 1 d nonzero)|]. split; [exact all'|]. rewrite <- total. symmetry. apply sum_permutation. assumption.
 Qed.
 
 (** ** Every shell of a body has a corner of which something is known *)
@@ -461,7 +461,6 @@ Definition corner_winding (ma : zpose) (a : zbody) (mb : zpose) (b : zbody) (c :
 
 (** Each shell of A has a corner whose winding number in B is 0, or is not 0 where [inside]. *)
 Definition check_shells (inside : bool) (ma : zpose) (a : zbody) (mb : zpose) (b : zbody) (rays : list corner_ray) (steps : list (positive * link)) : bool :=
-  is_closed b &&
   forallb (fun c => match corner_winding ma a mb b c with Some w => Bool.eqb inside (negb (w =? 0)) | None => false end) rays &&
   check_links a (map corner rays) steps.
 
@@ -537,7 +536,7 @@ End Links.
 
 Lemma winding_same b p q w : same p q -> winding b p w -> winding b q w.
 Proof.
-  intros pq (d & ws & all & total). exists d, ws. split; [|assumption]. clear total.
+  intros pq (d & ws & nonzero & all & total). exists d, ws. split; [assumption|]. split; [|assumption]. clear total.
   induction all as [|f w' fs ws adds_f _ IH]; constructor; auto.
   destruct adds_f as [((m & backward & ahead) & ->)|(n & h & u & high & forward & corners & off & total)].
   - left. split; [|reflexivity]. exists m. split; [assumption|]. intros v v_in. rewrite <- pq. auto.
@@ -553,7 +552,7 @@ Definition is_inside (inside : bool) (b : body) (p : point) : Prop := exists w, 
 Theorem shells_sound inside ma a mb b rays steps : check_body b = true -> check_shells inside ma a mb b rays steps = true ->
   every_shell (body_at (moved ma a) a) (is_inside inside (pieces_at (moved mb b) b)).
 Proof.
-  intros body_b H. unfold check_shells in H. apply andb_prop in H as (H & links). apply andb_prop in H as (_ & H).
+  intros body_b H. unfold check_shells in H. apply andb_prop in H as (H & links).
   rewrite forallb_forall in H. apply (links_sound (moved ma a) a _ (map corner rays)) with (steps := steps); [|assumption].
   intros v v_in. apply in_map_iff in v_in as (c & <- & c_in). specialize (H c c_in).
   destruct (corner_winding ma a mb b c) as [w|] eqn:W; [|discriminate]. exists w. split.

@@ -121,6 +121,12 @@ Proof. apply Qcompare_zero, zdet_sign. Qed.
 Lemma equal_same p q : equal p q = true -> p = q.
 Proof. destruct p, q. unfold equal; simpl. intros. bools. congruence. Qed.
 
+Lemma over_nonzero u n : is_zero n = false -> ~ same (over u n) (Vec 0 0 0)%Q.
+Proof.
+  intros H (Zx & Zy & Zz). unfold Qeq in *; simpl in *. rewrite Z.mul_1_r in *.
+  unfold is_zero in H. rewrite Zx, Zy, Zz in H. discriminate.
+Qed.
+
 Lemma between_coordinate n d up uf x a b : Zpos uf * Zpos d * x = ((Zpos d - n) * a + n * b) * Zpos up ->
   (x # up == (1 - (n # d)) * (a # uf) + (n # d) * (b # uf))%Q.
 Proof.
@@ -143,8 +149,7 @@ Proof.
       * repeat split; apply between_coordinate; assumption.
   - right. exists (turns (over 1 n) (over 1 u) (face_over uf f) (over up p)). split.
     + exists (over 1 n), (over 1 u). split; [|split; [|split; [|reflexivity]]].
-      * intros (Zx & Zy & Zz). unfold Qeq in *; simpl in *. rewrite Z.mul_1_r in *.
-        unfold is_zero in H. rewrite Zx, Zy, Zz in H. discriminate.
+      * exact (over_nonzero 1 n H).
       * apply zdot_zero; assumption.
       * intros v Hv. unfold face_over, image in Hv. rewrite <- concat_map in Hv. apply in_map_iff in Hv as (zv & <- & Hv).
         rewrite forallb_forall in H1. specialize (H1 (seen up p uf zv)).

@@ -102,7 +102,7 @@ Definition adds (p d : point) (f : face) (w : Z) : Prop := passes_by f p d /\ w 
 
 (** The winding number of p in a body is defined by the sum along some generic ray. *)
 Definition winding (b : body) (p : point) (w : Z) : Prop :=
-  exists d ws, Forall2 (adds p d) b ws /\ sum (fun x => x) ws = w.
+  exists d ws, ~ same d (Vec 0 0 0) /\ Forall2 (adds p d) b ws /\ sum (fun x => x) ws = w.
 
 (** The solid: the surface, and the points whose winding number is not 0. *)
 Definition solid (b : body) (p : point) : Prop := surface b p \/ (exists w, winding b p w /\ w <> 0%Z).

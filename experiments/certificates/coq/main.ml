@@ -262,6 +262,7 @@ type body = {
   of_face : int list array;  (* Core's faces of a file's face: several where it is not planar *)
   first_piece : int array;
   turned : int;
+  is_closed : bool Lazy.t;
 }
 
 let read_body entry path =
@@ -322,7 +323,9 @@ let read_body entry path =
   let groups = if has entry "groups" then group (get entry "groups") else Core.Many [Core.Many (List.init (Array.length pieces) one)] in  (* no node of a cover opens it *)
   let core = { Core.cut_faces = List.rev !core_faces; unit0 = unit; groups } in
   need (Core.check_body core) "a cut is not legal, or a piece is in no group or in two";
-  { core; corners; loops; of_face; first_piece; turned = List.length turned }
+  { core; corners; loops; of_face; first_piece; turned = List.length turned; is_closed = lazy (Core.is_closed core) }
+
+let need_closed body = need (Lazy.force body.is_closed) "a body is not closed, and has no solid"
 
 let identity = { Core.zrows = { Core.vx = ints 1 0 0; vy = ints 0 1 0; vz = ints 0 0 1 }; zshift = zero; pose_unit = Z.one }
 
@@ -443,7 +446,7 @@ let read_winding bodies poses entry =
   (match Core.check_winding up p d poses.(holder) bodies.(holder).core passage with
    | Some w -> need (Z.equal w (Z.of_int number)) "a winding number is another"
    | None -> raise (Refused "a ray is not generic, or not apart from a group"));
-  need (Core.is_closed bodies.(holder).core) "a body is not closed, and has no solid";
+  need_closed bodies.(holder);
   { of_vertex = Option.map (fun v -> (other, v, { Core.corner = bodies.(other).corners.(v); ray = d; proof = passage })) vertex;
     point = (p, up); holder; number }
 
@@ -487,7 +490,7 @@ let cover_keys = ["directions"; "cover"]
 let need_pair answer bodies =
   need_form (Array.length bodies = 2) "there are not two bodies";
   let solid = match get answer "question" with String "solid" -> true | String "surface" -> false | _ -> bad "there is no such question" in
-  if solid then Array.iter (fun b -> need (Core.is_closed b.core) "a body is not closed, and has no solid") bodies;
+  if solid then Array.iter need_closed bodies;
   solid
 
 let poses_of answer names = Array.of_list (List.map (fun name -> pose (pose_numbers (get answer name))) names)
@@ -552,7 +555,7 @@ let prove_inside answer bodies =
   keys answer ["ask"; "point"; "answer"] ("face" :: "ray" :: "winding" :: cover_keys);
   need_form (Array.length bodies = 1) "there is not one body";
   let body = bodies.(0) in
-  need (Core.is_closed body.core) "the body is not closed, and has no solid";
+  need_closed body;
   let point = vector ~number:given (get answer "point") in
   match get answer "answer" with
   | Int 0 -> need (holds identity body (get answer "face") point) "the face does not hold the point"
@@ -701,6 +704,7 @@ let judged text_of models givens print =
   | exception (Stack_overflow | Out_of_memory | Not_found | Division_by_zero | Z.Overflow) -> (2, "bad input: it is not made as a certificate is")
 
 let () =
+  Gc.set { (Gc.get ()) with minor_heap_size = 1 lsl 21; space_overhead = 400 };  (* most of what is made is dropped at once *)
   let rec arguments files givens = function
     | "--given" :: word :: rest -> arguments files (word :: givens) rest
     | word :: rest -> arguments (word :: files) givens rest
