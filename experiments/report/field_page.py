@@ -78,16 +78,17 @@ def heat_map(field, question):
     touching = {r["subject"]: r for r in field.of("touching", question=question)}
     flush = {r["subject"]: r for r in field.of("flush", question=question)}
     kinds = [k for k in ("meshes", "all") if any(key[1] == k for key in common)]
-    head = "".join(f"<th>{t}</th>" for t in REGIMES.values())
+    regimes = [k for k in REGIMES if any(r["regime"] == k for r in field.of("regime"))]
+    head = "".join(f"<th>{REGIMES[k]}</th>" for k in regimes)
     names = {"meshes": "asked of all<br>mesh engines", "all": "asked of<br>all engines"}
     head += "<th>wrong of all, 95 %</th><th>coverage</th>" + "".join(f"<th>{names[k]}</th>" for k in kinds) + "<th>touching<br>apart</th><th>flush<br>apart</th>"
     body = ""
     for group, subjects in field.engines(question):
-        body += f'<tr class="group"><td colspan="{6 + len(REGIMES) + len(kinds)}">{GROUPS[group]}</td></tr>' if subjects else ""
+        body += f'<tr class="group"><td colspan="{5 + len(regimes) + len(kinds)}">{GROUPS[group]}</td></tr>' if subjects else ""
         for subject in subjects:
             rows = {r["regime"]: r for r in field.of("regime", subject=subject, question=question)}
             body += f"<tr><td>{name_of(field, subject)}</td>"
-            for regime in REGIMES:
+            for regime in regimes:
                 r = rows.get(regime)
                 body += cell(number(r, "missed"), number(r, "invented"), number(r, "failed"), number(r, "n")) if r else cell(0, 0, 0, 0)
             n, wrong = sum(number(r, "n") for r in rows.values()), sum(number(r, "missed", "invented") for r in rows.values())
@@ -210,13 +211,16 @@ def engines(field):
 def write(table, page):
     field = Field(table)
     made = field.rows[0]
-    asked = sum(number(r, "n") for r in field.of("regime"))
+    asked, most = sum(number(r, "n") for r in field.of("regime")), {}
+    for r in field.of("regime"):
+        most[r["regime"]] = max(most.get(r["regime"], 0), number(r, "n", "declined"))
+    size = (f'{made["cases"]} cases a family (200 of ladder, lego and metres), {made["frames"]} frames a sequence' if made["compiler"] else
+            "the field's own cases, " + ", ".join(f"{n} of {name}" for name, n in most.items()) + ", judged in integers by Python")
     text = f"""<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>The field on trial</title><style>{STYLE}</style></head><body>
 <h1>The field on trial</h1>
 <p class="note">{len(field.group)} engines and kernels gave {asked:,} answers to questions whose exact answer two truths in rational arithmetic know. Each engine runs with its
-defaults, and is asked only what it takes. Every number is from <code>field.csv</code>: {html.escape(made["version"])}, {html.escape(made["compiler"])},
-{html.escape(made["processor"])}, seed {made["seed"]}, {made["cases"]} cases a family (200 of ladder, lego and metres), {made["frames"]} frames a sequence, node
+defaults, and is asked only what it takes. Every number is from <code>field.csv</code>: {html.escape(", ".join(made[k] for k in ("version", "compiler", "processor") if made[k]))}, seed {made["seed"]}, {size}, node
 {html.escape(made["node"])}. <code>./reproduce field</code> makes it again.</p>
 <h2>Wrong answers: surfaces</h2>
 <p class="note">A cell reads <b>missed+invented /asked</b>: a contact that is not seen, and one that is not there; red on the left is the share missed, blue on the right the share

@@ -1,14 +1,16 @@
 #!/usr/bin/python3
-"""The field on trial: field.py PROGRAM [--out DIR] [--cases N] [--frames N] [--limit S] [--csv FILE] asks the engines of npm and of Debian that are
+"""The field on trial: field.py [PROGRAM] [--out DIR] [--cases N] [--frames N] [--limit S] [--csv FILE] asks the engines of npm and of Debian that are
 here, the peers and our own kernels the campaign's questions, and writes DIR/field.csv and DIR/field.html. Started again with the same words, it goes on
-where it was. `./reproduce field` calls it."""
+where it was. `./reproduce field` calls it. Without PROGRAM it asks the cases of field_trial.py, and no kernel of ours and no peer."""
 
 import argparse
 import csv
+import functools
 import json
 import math
 import os
 import random
+import re
 import select
 import shutil
 import sqlite3
@@ -21,6 +23,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 sys.path[:0] = [HERE, os.path.join(os.path.dirname(HERE), "report")]
 
 import field_cases  # noqa: E402
+import field_trial  # noqa: E402
 import field_page  # noqa: E402
 
 # Name in the campaign, group, command; {npm} and {bin} are folders under --out. The groups are the page's.
@@ -125,6 +128,15 @@ class Talk:
                     return message
                 self.hello = message
 
+    def end(self):
+        """How it ended, in the words of the table of failures; a program that still runs was silent."""
+        try:
+            status = self.process.wait(0.5)
+            return f"signal {-status}" if status < 0 else f"status {status}"
+        except subprocess.TimeoutExpired:
+            self.close()
+            return "silent"
+
     def close(self):
         self.process.kill()
         self.process.wait()
@@ -212,18 +224,24 @@ def speed(found, program, out, rows):
                              "value": sum(a["ns"] for a in timed) / len(timed), "text": f"{sum(a['answer'] for a in timed)} collide"})
 
 
+def exact_answer(case, question, path, program, version):
+    """The exact answer to a reproduction, by the program where there is one, else in Python's integers."""
+    if not program:
+        bodies = {key: {"vertices": case[key], "triangles": field_cases.TRIANGLES} for key in "ab"}
+        return field_trial.truth(case | bodies, question)
+    with open(path, "w") as file:
+        file.write(field_cases.case_file(case, {}, version).replace('"question": "solid"', f'"question": "{question}"'))
+    return int(subprocess.run([program, "collide", path], check=True, capture_output=True, text=True).stdout)
+
+
 def strip(found, program, out, rows):
     """The reproductions: case files, their exact answers, and what each engine says."""
     folder = os.path.join(out, "field")
     os.makedirs(folder, exist_ok=True)
-    version = subprocess.run([program, "--version"], capture_output=True, text=True).stdout.split()[-1]
+    version = subprocess.run([program, "--version"], capture_output=True, text=True).stdout.split()[-1] if program else ""
     for case in field_cases.CASES:
         path = os.path.join(folder, case["name"] + ".case.json")
-        truth = {}
-        for question in ("surface", "solid"):
-            with open(path, "w") as file:
-                file.write(field_cases.case_file(case, {}, version).replace('"question": "solid"', f'"question": "{question}"'))
-            truth[question] = int(subprocess.run([program, "collide", path], check=True, capture_output=True, text=True).stdout)
+        truth = {question: exact_answer(case, question, path, program, version) for question in ("surface", "solid")}
         with open(path, "w") as file:
             file.write(field_cases.case_file(case, truth, version))
         for question, value in truth.items():
@@ -349,29 +367,13 @@ def tables(db, groups, rows):
     return base.execute("SELECT version, compiler, flags, processor, seed FROM run ORDER BY id DESC LIMIT 1").fetchone()
 
 
+IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]
 COLUMNS = ["table", "subject", "question", "regime", "size", "n", "invented", "missed", "failed", "declined", "value", "text"]
 MADE_BY = ["version", "compiler", "flags", "processor", "seed", "cases", "frames", "node"]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program")
-    parser.add_argument("--out", default=os.path.join(ROOT, "out", "field"))
-    parser.add_argument("--cases", type=int, default=12, help="cases a family; ladder, lego and metres have 200")
-    parser.add_argument("--frames", type=int, default=8, help="frames of each sequence of exact contact")
-    parser.add_argument("--limit", type=float, default=2, help="seconds for an answer")
-    parser.add_argument("--csv", help="only make the page of this CSV")
-    options = parser.parse_args()
-    out = os.path.abspath(options.out)
-    os.makedirs(out, exist_ok=True)
-    page = os.path.join(out, "field.html")
-    if options.csv:
-        field_page.write(options.csv, page)
-        return print("page: " + page)
-    program, npm, binaries = os.path.abspath(options.program), os.path.join(out, "npm"), os.path.join(out, "bin")
-    install_npm(npm)
-    compile_debian(binaries)
-    found = programs(npm, binaries)
+def campaign(options, program, found, out, rows):
+    """Asks the campaign's questions; returns what made the rows."""
     groups = BUILT_IN | {name: group for name, group, _ in found + ROUNDED}
     words = [program, "verify", "--db", os.path.join(out, "field.db"), "--level", "object", "--subject-limit", str(options.limit)]
     for name in BUILT_IN:
@@ -385,10 +387,52 @@ def main():
         status = subprocess.run([*words, *more], stdout=subprocess.DEVNULL).returncode
         if status not in (0, 1):  # 1: an exact subject was wrong, which the page shows
             sys.exit(status)
+    return tables(os.path.join(out, "field.db"), groups, rows)
+
+
+def trial(options, found, out, rows):
+    """Asks the field's own cases, and the reproductions; returns what made the rows."""
+    subjects = [(name, group, functools.partial(Talk, command)) for name, group, command in found + ROUNDED]
+    rows += field_trial.rows(subjects, out, options.cases, options.limit)
+    strip(found, None, out, rows)
+    for name, group, command in found + ROUNDED:
+        _, hello = replies(command, [{"model": 0, "vertices": field_cases.CUBE, "faces": field_cases.FACES, "triangles": field_cases.TRIANGLES},
+                                     {"ask": 0, "a": 0, "b": 0, "pose_a": IDENTITY, "pose_b": IDENTITY, "question": "surface"}], 30)
+        rows.append({"table": "engine", "subject": name, "regime": group, "n": 0, "text": json.dumps(hello) if hello else ""})
+    with open("/proc/cpuinfo") as file:
+        processor = re.search("model name\\s*: (.*)", file.read())[1]
+    with open(os.path.join(ROOT, "CITATION.cff")) as file:
+        version = re.search("^version: (.*)$", file.read(), re.M)[1]
+    return version, "", "", processor, 1
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", nargs="?", help="build/tetracone; without it, the field's own cases are asked, and no kernel of ours")
+    parser.add_argument("--out", default=os.path.join(ROOT, "out", "field"))
+    parser.add_argument("--cases", type=int, help="cases a family, 12, while ladder, lego and metres have 200; without a program, 200 of lego and metres")
+    parser.add_argument("--frames", type=int, default=8, help="frames of each sequence of exact contact")
+    parser.add_argument("--limit", type=float, default=2, help="seconds for an answer")
+    parser.add_argument("--csv", help="only make the page of this CSV")
+    options = parser.parse_args()
+    options.cases = options.cases or (12 if options.program else 200)
+    out = os.path.abspath(options.out)
+    os.makedirs(out, exist_ok=True)
+    page = os.path.join(out, "field.html")
+    if options.csv:
+        field_page.write(options.csv, page)
+        return print("page: " + page)
+    program, npm, binaries = options.program and os.path.abspath(options.program), os.path.join(out, "npm"), os.path.join(out, "bin")
+    install_npm(npm)
+    compile_debian(binaries)
+    found = programs(npm, binaries)
     rows = []
-    made = tables(os.path.join(out, "field.db"), groups, rows)
-    strip(found, program, out, rows)
-    speed(found, program, out, rows)
+    if program:
+        made = campaign(options, program, found, out, rows)
+        strip(found, program, out, rows)
+        speed(found, program, out, rows)
+    else:
+        made = trial(options, found, out, rows)
     node = subprocess.run(["node", "--version"], capture_output=True, text=True).stdout.strip()
     origin = dict(zip(MADE_BY, (*made, options.cases, options.frames, node)))
     table = os.path.join(out, "field.csv")

@@ -9,7 +9,6 @@ import random
 import sys
 from fractions import Fraction
 
-BITS, PLACES = int(sys.argv[1]), sys.argv[2:] != ["vertices"]
 MOST_FACES = 200  # all edges are compared with all triangles
 
 
@@ -117,46 +116,60 @@ def size_of(points):
     return size
 
 
-def on_grid(points, size):
-    grid = size / 2 ** BITS
+def on_grid(points, size, bits):
+    grid = size / 2 ** bits
     return [tuple(round(x / grid) * grid for x in p) for p in points]
 
 
-def placed(body, pose):
+def placed(vertices, pose):
     m = [Fraction(x) for x in pose]
-    return [tuple(m[4 * i] * v[0] + m[4 * i + 1] * v[1] + m[4 * i + 2] * v[2] + m[4 * i + 3] for i in range(3)) for v in body["vertices"]]
+    return [tuple(m[4 * i] * v[0] + m[4 * i + 1] * v[1] + m[4 * i + 2] * v[2] + m[4 * i + 3] for i in range(3)) for v in vertices]
 
 
-def answer(message):
-    a, b = bodies[message["a"]], bodies[message["b"]]
-    if a is None or b is None:
-        return None
-    points = [placed(a, message["pose_a"]), placed(b, message["pose_b"])]
-    if PLACES:
-        size = max(map(size_of, points))
-        points = [on_grid(p, size) for p in points]
+def decide(points, triangles, question):
+    """Whether two bodies of placed rational points collide: 1 or 0, or nothing where one is flat."""
     common = math.lcm(*(x.denominator for p in points for v in p for x in v))
-    s, t = (Body([tuple(int(x * common) for x in v) for v in p], body["triangles"]) for p, body in zip(points, (a, b)))
-    if not s.faces or not t.faces:
-        return None  # all of it is flat, or less
-    return int(collide(s, t, message["question"] == "solid"))
+    a, b = (Body([tuple(int(x * common) for x in v) for v in p], t) for p, t in zip(points, triangles))
+    return int(collide(a, b, question == "solid")) if a.faces and b.faces else None
 
 
-def kept(model):
-    if "triangles" not in model or len(model["triangles"]) > MOST_FACES:
-        return None
-    vertices = [tuple(map(Fraction, v)) for v in model["vertices"]]
-    return {"vertices": vertices if PLACES else on_grid(vertices, size_of(vertices)), "triangles": model["triangles"]}
+class Rounding:
+    """The subject: what is rounded, and how finely."""
+
+    def __init__(self, bits, places):
+        self.bits, self.places, self.bodies = bits, places, {}
+
+    def keep(self, model):
+        triangles = model.get("triangles")
+        if triangles is None or len(triangles) > MOST_FACES:
+            return None
+        vertices = [tuple(map(Fraction, v)) for v in model["vertices"]]
+        return vertices if self.places else on_grid(vertices, size_of(vertices), self.bits), triangles
+
+    def answer(self, message):
+        bodies = self.bodies[message["a"]], self.bodies[message["b"]]
+        if None in bodies:
+            return None
+        points = [placed(body[0], message[key]) for body, key in zip(bodies, ("pose_a", "pose_b"))]
+        if self.places:
+            size = max(map(size_of, points))
+            points = [on_grid(p, size, self.bits) for p in points]
+        return decide(points, [body[1] for body in bodies], message["question"])
 
 
-name = f"{'placed' if PLACES else 'vertices'} on 2^-{BITS}"
-print(json.dumps({"hello": 1, "name": name, "version": "1", "precision": "exact", "bodies": "closed", "poses": "affine", "questions": ["surface", "solid"],
-                  "touching": "closed"}), flush=True)
-bodies = {}
-for line in sys.stdin:
-    message = json.loads(line)
-    if "model" in message:
-        bodies[message["model"]] = kept(message)
-    bodies.pop(message.get("forget"), None)
-    if "ask" in message:
-        print(json.dumps({"ask": message["ask"], "answer": answer(message)}), flush=True)
+def main():
+    subject = Rounding(int(sys.argv[1]), sys.argv[2:] != ["vertices"])
+    name = f"{'placed' if subject.places else 'vertices'} on 2^-{subject.bits}"
+    print(json.dumps({"hello": 1, "name": name, "version": "1", "precision": "exact", "bodies": "closed", "poses": "affine",
+                      "questions": ["surface", "solid"], "touching": "closed"}), flush=True)
+    for line in sys.stdin:
+        message = json.loads(line)
+        if "model" in message:
+            subject.bodies[message["model"]] = subject.keep(message)
+        subject.bodies.pop(message.get("forget"), None)
+        if "ask" in message:
+            print(json.dumps({"ask": message["ask"], "answer": subject.answer(message)}), flush=True)
+
+
+if __name__ == "__main__":
+    main()

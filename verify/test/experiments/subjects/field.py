@@ -19,6 +19,7 @@ PROGRAM = os.environ["TETRACONE_PROGRAM"]
 import field  # noqa: E402
 import field_cases  # noqa: E402
 import field_page  # noqa: E402
+import field_trial  # noqa: E402
 
 # A subject of surfaces that calls all apart, and prints.
 APART = """
@@ -100,6 +101,34 @@ class Field(unittest.TestCase):
             self.assertEqual(truth[name, "surface"], int(name in together), name)
             self.assertEqual(truth[name, "solid"], int(name in together or name == "inside"), name)
             self.assertIn((name, "surface"), said)
+
+    def test_the_fields_own_cases_are_judged_and_gone_on_with(self):
+        def talk():
+            return field.Talk(self.command)
+        rows = field_trial.rows([("Apart", "double", talk)], self.out, 8, 10)
+        right = field_trial.truths(self.out, 8)
+        by_regime = {r["regime"]: r for r in rows if r["table"] == "regime"}
+        for regime, row in by_regime.items():
+            mine = [right[n][0] for n, c in enumerate(field_trial.cases(8)) if c["regime"] == regime]
+            self.assertEqual((row["n"], row["missed"], row["invented"], row["failed"], row["declined"]), (len(mine), sum(mine), 0, 0, 0), regime)
+            self.assertTrue(0 < sum(mine) < len(mine), regime)
+        # The answers that are there are not asked again: a program that would fail is not started.
+        again = field_trial.rows([("Apart", "double", lambda: field.Talk("exit 3"))], self.out, 8, 10)
+        self.assertEqual(rows, again)
+        fails = field_trial.rows([("Fails", "double", lambda: field.Talk("sh -c 'exit 3'"))], self.out, 8, 10)
+        (row,) = [r for r in fails if r["table"] == "failure"]
+        self.assertEqual(row, {"table": "failure", "subject": "Fails", "regime": "status 3", "n": 2 * len(field_trial.cases(8))})
+
+    def test_the_integers_agree_with_both_truths_of_the_program(self):
+        script = os.path.join(SOURCE, "experiments", "subjects", "rounded.py")
+        db = os.path.join(self.out, "rounded.db")
+        subprocess.run([PROGRAM, "verify", "--db", db, "--level", "object", "--cases", "24", "--frames", "0", "--family", "lego", "--family", "vertex-on-edge",
+                        "--family", "nested-touching", "--family", "metres", "--subject-command", f"fine={sys.executable} {script} 400"], check=True, capture_output=True)
+        table = subprocess.run([PROGRAM, "report", db, "--table", "subjects"], check=True, capture_output=True, text=True).stdout
+        (surface, solid) = [r for r in csv.DictReader(table.splitlines()) if r["subject"] == "fine"]
+        for row in (surface, solid):
+            self.assertGreater(int(row["n"]), 50)
+            self.assertEqual((row["false_positives"], row["false_negatives"], row["failures"]), ("0", "0", "0"))
 
     def test_the_page_shows_the_table(self):
         table, page = os.path.join(self.out, "field.csv"), os.path.join(self.out, "field.html")
