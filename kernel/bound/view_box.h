@@ -13,7 +13,7 @@
 
 namespace tetracone::kernel {
 
-/// Bounds of a part of a body as a view sees it: of x, y, x + y, x - y, and of the height z.
+/// Bounds of a part of a body in a view: of x, y, x + y, x - y, and of the height z.
 struct View_box {
   static constexpr std::size_t level_axes = 4, height = 4;
   std::array<double, 5> low, high;

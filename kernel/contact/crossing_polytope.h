@@ -28,8 +28,8 @@ struct Translation_box {
   }
 };
 
-/// The translations v for which piece a of A, moved by v, shares a point with piece b of B: the Minkowski difference
-/// b - a. Where the planes of the pieces are not parallel, a goes through b for every v in its inside.
+/// The translations v for which piece a of A, moved by v, shares a point with piece b of B. They are the Minkowski
+/// difference b - a. Where the planes of the pieces are not parallel, a goes through b for every v in its inside.
 ///
 /// It is kept as half-spaces n . v < limit, of which those are left out that hold all of a ball about 0. Numbers are
 /// rounded; `inner` is a limit that is surely small enough, `outer` one that is surely large enough.

@@ -58,8 +58,8 @@ class Direction_view {
   Rational height_;
 };
 
-/// Returns poses that stand to each other as a + s d and b do. Both are those, but where the sum has no finite double:
-/// they are scaled then.
+/// Returns poses that stand to each other as a + s d and b do. They are these two, unless the sum has no finite double;
+/// then both are scaled.
 inline std::array<Pose, 2> moved_along(const Pose& a, const Pose& b, const Rational_point& d, const Rational& s)
 {
   std::array<std::array<Rational, 12>, 2> rows;

@@ -36,8 +36,8 @@ inline bool is_bounded(const Convex_piece<Height_interval>& piece)
   return true;
 }
 
-/// An axis along which two pieces are compared: across an edge of one and the direction of the shift, along a normal,
-/// or across an edge of each.
+/// An axis along which two pieces are compared. It is a normal, or a product of an edge of each, or of an edge and the
+/// direction of the shift.
 struct Shift_axis {
   enum class Kind { edge_of_a, edge_of_b, normal_of_a, normal_of_b, edges } kind;
   int edge_a = 0, edge_b = 0;
@@ -61,9 +61,11 @@ inline Height_interval largest(const Height_interval& x, const Height_interval& 
 inline Rational least(const Rational& x, const Rational& y) { return x < y ? x : y; }
 inline Rational largest(const Rational& x, const Rational& y) { return x > y ? x : y; }
 
-inline bool may_be_zero(const Number_point<Height_interval>& x)
+template <class N>
+bool may_be_zero(const Number_point<N>& x)
 {
-  return x[0].inf() <= 0 && x[0].sup() >= 0 && x[1].inf() <= 0 && x[1].sup() >= 0 && x[2].inf() <= 0 && x[2].sup() >= 0;
+  return lower(x[0]) <= 0 && upper(x[0]) >= 0 && lower(x[1]) <= 0 && upper(x[1]) >= 0 && lower(x[2]) <= 0 &&
+         upper(x[2]) >= 0;
 }
 
 template <class N>
@@ -115,13 +117,15 @@ struct Extent {
 template <class N>
 struct Allowed {
   N rise, low, high;
-  bool is_axis;  ///< false where the direction is exactly 0: it says nothing
+  bool is_axis;          ///< false where the direction is exactly 0: it says nothing
+  bool may_say_nothing;  ///< the direction may be 0
 
   Allowed(const Shift_axis& axis, const Convex_piece<N>& a, const Convex_piece<N>& b)
   {
     const Number_point<N> n = direction(axis, a, b);
     const auto is_nothing = [](const N& x) { return lower(x) == 0 && upper(x) == 0; };
     is_axis = !(is_nothing(n[0]) && is_nothing(n[1]) && is_nothing(n[2]));
+    may_say_nothing = may_be_zero(n);
     rise = n[2];
     const Extent<N> of_a(n, a), of_b(n, b);
     low = of_b.low - of_a.high;
@@ -203,7 +207,7 @@ class Shift_range {
         high_ = End{minimum(high_->least, Bound(lower(last))), minimum(high_->most, Bound(upper(last)))};
       }
       if (low_->least > high_->most) is_empty_ = true;
-    } else if (allowed.is_level()) {
+    } else if (allowed.is_level() && !allowed.may_say_nothing) {
       if (!(upper(allowed.high) > 0 && lower(allowed.low) < 0))
         is_empty_ = true;
       else if (!(lower(allowed.high) > 0 && upper(allowed.low) < 0))
@@ -233,8 +237,8 @@ inline Rational exact_high(const Convex_piece<Height_interval>& a, const Convex_
   return *high;
 }
 
-/// Returns the directions of the axes that allow no s above `high`, the end of two pieces: normals of the facets in which
-/// a leaves b.
+/// Returns the directions of the axes that allow no s above `high`, the end of two pieces. They are normals of the facets
+/// in which a leaves b.
 inline std::vector<Number_point<Rational>> directions_at(const Convex_piece<Rational>& a,
                                                          const Convex_piece<Rational>& b, const Rational& high)
 {

@@ -197,7 +197,7 @@ class Depth_search {
       if (polytopes_[k].holds(open.box)) return true;
       if (polytopes_[k].may_meet(open.box)) near.push_back(k);
     }
-    return near.empty() && meet(centre(open.box));
+    return near.empty() && are_all_known_ && meet(centre(open.box));
   }
 
   static kernel::Rational_point centre(const Box& box)
@@ -208,11 +208,16 @@ class Depth_search {
   /// Finds the polytopes of all pairs of pieces that have a translation in the ball.
   void find_polytopes(double radius, double most)
   {
+    are_all_known_ = true;
     std::vector<Box_ids> pairs = {{Box_id(), Box_id()}};
     while (!pairs.empty()) {
       const Box_ids pair = pairs.back();
       pairs.pop_back();
       if (!solid_[0].box(pair[0]).is_within(solid_[1].box(pair[1]), radius)) continue;
+      if (polytopes_.size() >= most_polytopes) {
+        are_all_known_ = false;
+        return;
+      }
       const std::array<bool, 2> is_leaf = {solid_[0].tree().is_leaf(pair[0]), solid_[1].tree().is_leaf(pair[1])};
       if (is_leaf[0] && is_leaf[1]) {
         add_polytopes(pair, radius, most);
@@ -244,10 +249,13 @@ class Depth_search {
 
   /// Boxes between two exits along their centres.
   static constexpr unsigned halvings_an_exit = 6;
+  /// Polytopes that are kept, of some 1 kB each. Without the others the bracket may stay wider.
+  static constexpr std::size_t most_polytopes = 300000;
 
   std::array<Seen_solid, 2> solid_;
   std::vector<Polytope> polytopes_;
   std::set<kernel::Rational_point> tried_;  // directions
+  bool are_all_known_ = true;
   Depth_bracket found_;
   std::size_t boxes_left_ = 0;
 };

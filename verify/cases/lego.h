@@ -43,12 +43,12 @@ covering::Polyhedron solid(const Bricks& bricks, const Division& division, Rando
 /// cells, squares, edges and corners of the grid of half cells.
 Solid_overlap overlap(const Bricks& a, const Bricks& b, const Cell& offset);
 
-/// Returns how far A must be moved along axis `axis`, in whole cells, for its interior to leave that of B, which is
-/// moved by `offset` halves of a cell. `sign` is 1 or -1: along the axis, or against it.
+/// Returns how far A must be moved along an axis, in whole cells, for its interior to leave that of B. B is moved by
+/// `offset` halves of a cell. `sign` is 1 or -1: along the axis, or against it.
 Solid_exits exits(const Bricks& a, const Bricks& b, const Cell& offset, int axis, int sign);
 
-/// Returns the squared length of the least translation of A, in whole cells, after which its interior shares no point
-/// with that of B, which is moved by `offset` halves of a cell.
+/// Returns the squared length of the least translation of A after which the interiors share no point, in whole cells. B
+/// is moved by `offset` halves of a cell.
 kernel::Rational squared_depth(const Bricks& a, const Bricks& b, const Cell& offset);
 
 }  // namespace tetracone::verify::lego

@@ -7,8 +7,8 @@
 /// How far A must be moved to leave B, along a direction by two formulations, and at all; in rationals.
 namespace tetracone::verify {
 
-/// Returns the exits by all events: the shifts at which a vertex is on a triangle, or an edge on an edge, of all pairs
-/// of the two surfaces. Between them nothing changes. At each event, in order, the pieces of both surfaces tell whether
+/// Returns the exits by all events of all pairs: the shifts at which a vertex is on a triangle, or an edge on an edge.
+/// Between them nothing changes. At each event, in order, the pieces of both surfaces tell whether
 /// the interiors share a point. For few faces. Requires planar faces, closed polyhedra, det M != 0 and a direction that
 /// is not 0.
 Solid_exits exits_by_events(const Object_case& c, const object_family::Exact_vector& direction);

@@ -22,3 +22,9 @@ int main(int, char** argv)
 }
 
 // Prints, of the unit cube and the tetrahedron in verify/test/install/:
+//   +x: after 5/4, for good
+//   +y: after 1/2, for good
+//   +z: after 1/2, for good
+//   -x: after 1/4, for good
+//   -y: after 5/4, for good
+//   -z: after 5/4, for good
