@@ -199,6 +199,7 @@ def prove_winding(entry, x, body):
 
     def crossed(piece):
         counts[piece] = crossing(body.body.pieces[piece][1], body.at, origin, way)
+        need(counts[piece] is not None, "a ray does not cross a face in its interior")
 
     prove_cover(entry, None, body.body.root, apart, crossed=crossed)
     need(type(entry["winding"]) is int and sum(counts.values()) == entry["winding"], "the crossings have another sum")
@@ -429,6 +430,9 @@ def prove(text, models=(), asked=()):
         yield f"{k} {answer['ask']} {answer.get('question', '-')} {json.dumps(answer['answer'])} proved"
 
 
+BAD = (Bad, OSError, ValueError, TypeError, AttributeError, LookupError, RecursionError, OverflowError, MemoryError)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("certificate")
@@ -445,7 +449,7 @@ def main():
                 print(line) if text is None else None
         except Refused as reason:
             status, said = 1, f"refused: {reason}"
-        except (Bad, OSError, ValueError, TypeError, RecursionError, OverflowError, MemoryError) as reason:
+        except BAD as reason:
             status, said = 2, f"bad input: {' '.join(str(reason).split())}"
         if text is not None:
             print(said, flush=True)

@@ -67,15 +67,17 @@ def loops_hold(loops, at, x):
 
 
 def crossing(loops, at, origin, way):
-    """How often the loops wind about the point where the ray crosses their plane, seen along the ray."""
+    """How often the loops wind about the point where the ray crosses their plane, seen along the ray.
+
+    None where the ray is parallel to the plane, leads away from it or meets an edge."""
     normal = normal_of(loops, at)
-    need(normal is not None and dot(normal, way) != 0, "a ray crosses a face along its plane")
+    if normal is None or dot(normal, way) == 0:
+        return None
     if dot(normal, way) < 0:
         normal = minus((0, 0, 0), normal)
     slope, height = dot(normal, way), dot(normal, minus(at[loops[0][0]], origin))
-    need(height > 0, "a crossing is not on the ray")
+    if height <= 0:
+        return None
     # The crossing is origin + height / slope * way. Corners are seen from it, times the slope.
     seen = {v: minus([slope * x for x in minus(at[v], origin)], [height * x for x in way]) for loop in loops for v in loop}
-    count = winding_about([(seen[p], seen[q]) for p, q in edges(loops)], normal)
-    need(count is not None, "a ray meets an edge")
-    return count
+    return winding_about([(seen[p], seen[q]) for p, q in edges(loops)], normal)

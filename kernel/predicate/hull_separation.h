@@ -61,11 +61,16 @@ struct Hull {
   const Rounded_vector* recession = nullptr;
 };
 
-/// Returns a direction along which B is beyond A by more than `distance`, as far as doubles tell; nothing where the
-/// search finds none in a few steps, or the hulls are surely not so far apart. The recession of A does not lead towards
-/// B along it. Source: E. G. Gilbert, An iterative procedure for computing the minimum of a quadratic form on a convex
-/// set, SIAM J. Control 4 (1966).
-inline std::optional<Rounded_vector> direction_between(const Hull& a, const Hull& b, double distance)
+/// Two hulls, B beyond A.
+struct Hull_pair {
+  Hull a, b;
+};
+
+/// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Returns
+/// nothing where the search finds none in a few steps, or no such direction exists. The recession of A does not lead
+/// towards B along it. Source: E. G. Gilbert, An iterative procedure for computing the minimum of a quadratic form on a
+/// convex set, SIAM J. Control 4 (1966).
+inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair> pairs, double distance)
 {
   const auto middle = [](const Hull& hull) {
     Rounded_vector sum{};
@@ -74,14 +79,19 @@ inline std::optional<Rounded_vector> direction_between(const Hull& a, const Hull
     for (double& x : sum) x /= double(hull.corners.size());
     return sum;
   };
-  // The point of B - A on the segment to the last support that is nearest to the origin.
-  Rounded_vector z = difference(middle(b), middle(a));
+  // Of the hull of all B - A, the point nearest to the origin on the segment to the last support.
+  Rounded_vector z{};
+  for (const Hull_pair& pair : pairs) {
+    const Rounded_vector way = difference(middle(pair.b), middle(pair.a));
+    for (int k = 0; k < 3; ++k) z[k] += way[k] / double(pairs.size());
+  }
   constexpr int most_steps = 40;
   for (int step = 0; step < most_steps; ++step) {
-    if (a.recession) {
-      const double along = dot(z, *a.recession);
+    const Rounded_vector* recession = pairs[0].a.recession;
+    if (recession) {
+      const double along = dot(z, *recession);
       if (along > 0)
-        for (int k = 0; k < 3; ++k) z[k] -= along / dot(*a.recession, *a.recession) * (*a.recession)[k];
+        for (int k = 0; k < 3; ++k) z[k] -= along / dot(*recession, *recession) * (*recession)[k];
     }
     const auto support = [&](const Hull& hull, double sign) {
       std::size_t best = hull.corners[0];
@@ -89,11 +99,15 @@ inline std::optional<Rounded_vector> direction_between(const Hull& a, const Hull
         if (sign * dot(z, hull.points->rounded[v]) > sign * dot(z, hull.points->rounded[best])) best = v;
       return hull.points->rounded[best];
     };
-    const Rounded_vector from = support(a, 1), to = support(b, -1), v = difference(to, from);
+    std::optional<Rounded_vector> least;
+    for (const Hull_pair& pair : pairs) {
+      const Rounded_vector v = difference(support(pair.b, -1), support(pair.a, 1));
+      if (!least || dot(z, v) < dot(z, *least)) least = v;
+    }
     const double length = std::sqrt(dot(z, z));
     if (!(length > distance)) return std::nullopt;
-    if (dot(z, v) > distance * length) return z;
-    const Rounded_vector w = difference(v, z);
+    if (dot(z, *least) > distance * length) return z;
+    const Rounded_vector w = difference(*least, z);
     const double share = -dot(z, w) / dot(w, w);
     if (!(share > 0x1p-40)) return std::nullopt;
     for (int k = 0; k < 3; ++k) z[k] += minimum(share, 1.0) * w[k];
@@ -219,10 +233,10 @@ inline std::optional<int> generic_crossing(const Exact_face& face, const Exact_v
   if (side == CGAL::ZERO || height != side) return std::nullopt;
   for (const auto& [p, q] : face.edges)
     if (distance_of_faces(ray, Exact_face{{{p, q}, {q, p}}, std::nullopt}).is_zero()) return std::nullopt;
-  const Exact_vector up = side == CGAL::POSITIVE
-                              ? direction
-                              : Exact_vector{Exact_number(-direction[0]), Exact_number(-direction[1]),
-                                             Exact_number(-direction[2])};
+  const Exact_vector up =
+      side == CGAL::POSITIVE
+          ? direction
+          : Exact_vector{Exact_number(-direction[0]), Exact_number(-direction[1]), Exact_number(-direction[2])};
   const int winding = detail::winding_about_line(face, origin, up);
   return side == CGAL::POSITIVE ? winding : -winding;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,14 +38,14 @@ class Cover_search {
 
   /// True when holds(m) of a known direction or of one that is found; its number is appended to the nodes.
   template <class Holds>
-  bool separates(const kernel::Hull& a, const kernel::Hull& b, double distance,
+  bool separates(std::span<const kernel::Hull_pair> pairs, double distance,
                  const std::optional<kernel::Exact_vector>& recession, const Holds& holds)
   {
-    const auto found = kernel::direction_between(a, b, distance);
+    const auto found = kernel::direction_between(pairs, distance);
     if (!found) return false;
     for (const int bits : {6, 14, 26, 52}) {
-      kernel::Exact_vector m = recession ? kernel::rounded_to_bits(*found, bits, *recession)
-                                         : kernel::rounded_to_bits(*found, bits);
+      kernel::Exact_vector m =
+          recession ? kernel::rounded_to_bits(*found, bits, *recession) : kernel::rounded_to_bits(*found, bits);
       if (!holds(m)) continue;
       append(add(std::move(m)));
       return true;
@@ -74,8 +75,7 @@ struct Covered_body {
     const auto& covering = groups->tree().model().covering();
     kernel::Exact_face face;
     const auto from = covering.from(element.face), to = covering.to(element.face);
-    for (std::size_t k = 0; k < from.size(); ++k)
-      face.edges.push_back({points.exact[from[k]], points.exact[to[k]]});
+    for (std::size_t k = 0; k < from.size(); ++k) face.edges.push_back({points.exact[from[k]], points.exact[to[k]]});
     if (const auto basis = covering.plane_basis(element.face))
       face.plane = {points.exact[(*basis)[0]], points.exact[(*basis)[1]], points.exact[(*basis)[2]]};
     return face;
@@ -84,7 +84,7 @@ struct Covered_body {
 
 /// A point that two pieces share.
 struct Common_point {
-  std::array<Index, 2> face;  ///< of the trees
+  std::array<Box_id, 2> piece;
   kernel::Exact_point point;
 };
 
@@ -121,7 +121,8 @@ class Pair_cover {
       search_.append(std::size_t(0));
       return true;
     }
-    if (search_.separates(of_a, of_b, rule_.rounded, {},
+    const kernel::Hull_pair pair{of_a, of_b};
+    if (search_.separates(std::span(&pair, 1), rule_.rounded, {},
                           [&](const kernel::Exact_vector& m) { return rule_(of_a, of_b, m); }))
       return true;
     const bool is_piece[2] = {body_[0]->groups->is_piece(a), body_[1]->groups->is_piece(b)};
@@ -139,9 +140,8 @@ class Pair_cover {
   bool pieces(Box_id a, Box_id b)
   {
     const kernel::Exact_distance found = kernel::distance_of_faces(body_[0]->face(a), body_[1]->face(b));
-    const std::array<Index, 2> faces = {body_[0]->groups->piece_of(a).face, body_[1]->groups->piece_of(b).face};
     if (found.is_zero()) {
-      common_ = {faces, found.on_a};
+      common_ = {{a, b}, found.on_a};
       return false;
     }
     if (rule_(body_[0]->hull(a), body_[1]->hull(b), found.direction)) {
@@ -217,7 +217,9 @@ class Probe_cover {
     if (probe_.direction) {
       const kernel::Exact_number beyond = kernel::extent(body_->hull({}), *probe_.direction, 1);
       kernel::Exact_number length = 1;
-      const auto at = [&] { return kernel::detail::sum(probe_.start, kernel::detail::scaled(*probe_.direction, length)); };
+      const auto at = [&] {
+        return kernel::detail::sum(probe_.start, kernel::detail::scaled(*probe_.direction, length));
+      };
       while (!(kernel::dot(*probe_.direction, at()) > beyond)) length = length * kernel::Exact_number(16);
       end = at();
     }
@@ -235,7 +237,9 @@ class Probe_cover {
   bool covers(Box_id box, const Meets& meets)
   {
     const kernel::Hull group = body_->hull(box);
-    if (search_.separates(hull(), group, 0, probe_.direction, [&](const Exact_vector& m) { return holds(group, m); }))
+    const kernel::Hull_pair pair{hull(), group};
+    if (search_.separates(std::span(&pair, 1), 0, probe_.direction,
+                          [&](const Exact_vector& m) { return holds(group, m); }))
       return true;
     if (!body_->groups->is_piece(box)) {
       search_.append("[\"b\"");

@@ -2,16 +2,20 @@
 
 #include "tetracone/covering/model.h"
 #include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/ray_face.h"
 #include "tetracone/tetratree/certificate/cover.h"
+#include "tetracone/tetratree/certificate/motion_cover.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/query/exact_vertices.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <numeric>
 #include <span>
 #include <string_view>
@@ -24,6 +28,7 @@ using kernel::Exact_number;
 using kernel::Exact_vector;
 using kernel::Rational;
 using kernel::Rational_point;
+using tetratree::Box_id;
 using tetratree::Covered_body;
 using tetratree::Probe;
 using tetratree::Probe_cover;
@@ -49,7 +54,7 @@ void add_list(std::string& text, const Range& range, const Text_of& text_of)
   text += before == '[' ? "[]" : "]";
 }
 
-std::string quoted(std::string_view text)
+std::string json_text(std::string_view text)
 {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string quoted = "\"";
@@ -67,7 +72,7 @@ template <class Numbers>
 std::string strings_of(const Numbers& numbers)
 {
   std::string text;
-  add_list(text, numbers, [](const Rational& x) { return quoted(kernel::to_string(x)); });
+  add_list(text, numbers, [](const Rational& x) { return json_text(kernel::to_string(x)); });
   return text;
 }
 
@@ -119,7 +124,7 @@ void add_pose(std::string& text, std::string_view key, const kernel::Pose& pose)
   std::array<int, 12> places;
   std::iota(places.begin(), places.end(), 0);
   add_key(text, key);
-  add_list(text, places, [&](int k) { return quoted(kernel::exact_text(pose.exact(k))); });
+  add_list(text, places, [&](int k) { return json_text(kernel::exact_text(pose.exact(k))); });
 }
 
 void add_cover(std::string& text, const tetratree::Cover& cover)
@@ -174,6 +179,14 @@ struct Certificate::Data {
 
   std::vector<Part> parts;
   std::vector<std::string> answers;
+  std::uint32_t state_of_random = 1;
+
+  /// Returns an integer of so many bits about 0.
+  double random(int bits)
+  {
+    state_of_random = state_of_random * 1664525u + 1013904223u;  // Numerical Recipes' generator
+    return double(state_of_random >> (32 - bits)) - std::ldexp(0.5, bits);
+  }
 
   Part& only()
   {
@@ -189,8 +202,7 @@ struct Certificate::Data {
     images.place(pose, other);
     Covered_body body{&parts[k].tree(), {}};
     body.points.exact.reserve(vertices.size());
-    for (Index v = 0; v < vertices.size(); ++v)
-      body.points.exact.push_back(kernel::detail::scaled(images(v), weight));
+    for (Index v = 0; v < vertices.size(); ++v) body.points.exact.push_back(kernel::detail::scaled(images(v), weight));
     return body;
   }
 
@@ -208,12 +220,13 @@ struct Certificate::Data {
 
   [[noreturn]] void refuse_whole(std::size_t body, Index face) const
   {
-    fail("face " + std::to_string(file_face(body, face)) + " has no triangles; expected a face whose loops don't cross");
+    fail("face " + std::to_string(file_face(body, face)) +
+         " has no triangles; expected a face whose loops don't cross");
   }
 
-  /// Covers the pair, or finds a common point: then `text` has a witness.
+  /// Covers the pair, or finds a common point: then `text` has a witness, and `met` is that point.
   bool cover(std::string& text, Placed_pair& pair, const kernel::Gap_rule& rule,
-             const std::optional<Exact_vector>& preferred = {})
+             const std::optional<Exact_vector>& preferred = {}, tetratree::Common_point* met = nullptr)
   {
     tetratree::Pair_cover cover(pair.body[0], pair.body[1], rule);
     if (preferred) cover.prefer(*preferred);
@@ -227,8 +240,11 @@ struct Certificate::Data {
     }
     if (!cover.common()) fail("two faces are nearer than the answer");
     const Rational_point x = rational(cover.common()->point, pair.weight);
+    const std::array<Box_id, 2>& pieces = cover.common()->piece;
     add_witness(text, {x, x},
-                {file_face(0, cover.common()->face[0]), file_face(1, cover.common()->face[1])});
+                {file_face(0, pair.body[0].groups->piece_of(pieces[0]).face),
+                 file_face(1, pair.body[1].groups->piece_of(pieces[1]).face)});
+    if (met) *met = *cover.common();
     return false;
   }
 
@@ -242,11 +258,6 @@ struct Certificate::Data {
     for (const std::uint32_t v : corners) sum = kernel::detail::sum(sum, body.points.exact[v]);
     const Exact_number count(static_cast<double>(corners.size()));
     Exact_vector way = kernel::difference(kernel::detail::scaled(x, count), sum);
-    std::uint32_t state = 1;
-    const auto random = [&](int bits) {
-      state = state * 1664525u + 1013904223u;  // Numerical Recipes' generator
-      return double(state >> (32 - bits)) - std::ldexp(0.5, bits);
-    };
     constexpr int most_rays = 60;
     for (int k = 0; k < most_rays; ++k) {
       kernel::Hull_points rounded, none;
@@ -262,7 +273,7 @@ struct Certificate::Data {
       if (direction == Exact_vector{0, 0, 0}) continue;
       Probe_cover cover(body, Probe{x, {}, direction});
       int winding = 0;
-      const bool is_generic = cover([&](tetratree::Box_id, const kernel::Exact_face& face, bool) {
+      const bool is_generic = cover([&](Box_id, const kernel::Exact_face& face, bool) {
         const auto count = kernel::generic_crossing(face, x, direction, cover.face());
         if (!count) return Probe_cover::Met::stops;
         winding += *count;
@@ -280,44 +291,55 @@ struct Certificate::Data {
     fail("no ray from a point goes through faces alone");
   }
 
-  /// Appends the winding numbers that prove how solids stand whose surfaces share no point. False where they do not
-  /// stand so. Those that do not matter are left out: `a_in_b` and `b_in_a` need one.
-  bool windings(std::string& text, Placed_pair& pair, Relation answer)
+  /// Returns the winding number of a point in body `holder` as a row, and the number. `of` is the point's key and value.
+  std::pair<std::string, int> winding_row(Placed_pair& pair, int holder, const std::string& of, const Exact_vector& x)
+  {
+    std::string row = "{";
+    add_key(row, "in");
+    row += holder == 0 ? "\"a\"," : "\"b\",";
+    row += of;
+    const int number = winding(row, pair.body[holder], x);
+    return {row + '}', number};
+  }
+
+  /// Appends the winding number of a vertex of each shell of both bodies. True where those of A are all inside of B, or
+  /// all outside, as `a_is_inside` says, and those of B in A.
+  bool all_windings(std::string& text, Placed_pair& pair, bool a_is_inside = false, bool b_is_inside = false)
   {
     std::vector<std::string> rows;
-    bool found = answer == Relation::apart;
-    for (int k = 0; k < 2; ++k) {
-      if (answer == (k == 0 ? Relation::b_in_a : Relation::a_in_b)) continue;
+    bool found = true;
+    for (int k = 0; k < 2; ++k)
       for (const Index v : parts[k].tree().tree().model().covering().shell_vertices()) {
-        std::string row = "{";
-        add_key(row, "in");
-        row += k == 0 ? "\"b\"" : "\"a\"";
-        add_key(row, "vertex");
-        row += std::to_string(v);
-        const bool is_inside = winding(row, pair.body[1 - k], pair.body[k].points.exact[v]) != 0;
-        row += '}';
-        if (answer == Relation::apart) {
-          found = found && !is_inside;
-          rows.push_back(std::move(row));
-        } else if (is_inside) {
-          rows = {std::move(row)};
-          found = true;
-          break;
-        }
+        auto [row, number] = winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact[v]);
+        found = found && (number != 0) == (k == 0 ? a_is_inside : b_is_inside);
+        rows.push_back(std::move(row));
       }
-    }
     add_key(text, "windings");
     add_list(text, rows, [](const std::string& row) { return row; });
     return found;
   }
 
-  std::string begin(std::string_view ask) const { return "{\"ask\":" + quoted(ask); }
+  /// Appends the winding number of a vertex of body k that is inside of the other one. False where no shell is.
+  bool one_winding(std::string& text, Placed_pair& pair, int k)
+  {
+    for (const Index v : parts[k].tree().tree().model().covering().shell_vertices()) {
+      const auto [row, number] =
+          winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact[v]);
+      if (number == 0) continue;
+      add_key(text, "windings");
+      text += '[' + row + ']';
+      return true;
+    }
+    return false;
+  }
+
+  std::string begin(std::string_view ask) const { return "{\"ask\":" + json_text(ask); }
 
   std::string begin(std::string_view ask, const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question)
   {
     std::string text = begin(ask);
     add_key(text, "question");
-    text += quoted(kernel::to_string(question));
+    text += json_text(kernel::to_string(question));
     add_pose(text, "pose_a", pose_a);
     add_pose(text, "pose_b", pose_b);
     return text;
@@ -352,13 +374,7 @@ struct Certificate::Data {
       return;
     }
     Placed_pair pair = placed(pose_a, pose_b);
-    for (const Relation relation : {Relation::a_in_b, Relation::b_in_a}) {
-      std::string found = text;
-      if (!windings(found, pair, relation)) continue;
-      text = std::move(found);
-      return;
-    }
-    fail("no shell is inside of the other solid");
+    if (!one_winding(text, pair, 0) && !one_winding(text, pair, 1)) fail("no shell is inside of the other solid");
   }
 
   /// Proves that the bodies are farther apart than the root of `square`, or as far.
@@ -367,15 +383,48 @@ struct Certificate::Data {
   {
     Placed_pair pair = placed(pose_a, pose_b);
     Rational_point way;
-    for (std::size_t c = 0; c < 3; ++c)
-      way[c] = Rational(nearest.point[1][c]) - Rational(nearest.point[0][c]);
+    for (std::size_t c = 0; c < 3; ++c) way[c] = Rational(nearest.point[1][c]) - Rational(nearest.point[0][c]);
     way = in_lowest_terms(way);
     const double limit = std::sqrt(square.get_d());
     kernel::Gap_rule rule{exact(square.get_num()) * pair.weight * pair.weight, exact(square.get_den()), or_equal, 0};
-    if (std::isfinite(limit)) rule.rounded = Exact_number(Exact_number(limit) * pair.weight * pair.rounding).to_double();
+    if (std::isfinite(limit))
+      rule.rounded = Exact_number(Exact_number(limit) * pair.weight * pair.rounding).to_double();
     if (!cover(text, pair, rule, Exact_vector{exact(way[0]), exact(way[1]), exact(way[2])}))
       fail("the bodies share a point");
-    if (question == Question::solid && !windings(text, pair, Relation::apart)) fail("one solid holds a part of the other");
+    if (question == Question::solid && !all_windings(text, pair)) fail("one solid holds a part of the other");
+  }
+
+  /// Appends points in both solids, in A alone and in B alone, if random points about a place have them. Surfaces that
+  /// cross there have all three in any ball about it.
+  bool overlap(std::string& text, Placed_pair& pair, const kernel::Exact_point& place)
+  {
+    kernel::Rounded_vector middle;
+    double size = 0;
+    for (int c = 0; c < 3; ++c) middle[c] = place.at[c].to_double() / place.weight.to_double();
+    for (const Covered_body& body : pair.body)
+      for (const Exact_vector& v : body.points.exact)
+        for (int c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(v[c].to_double() - middle[c]));
+    if (!std::isfinite(size)) return false;
+    std::map<std::array<bool, 2>, std::string> rows;
+    constexpr int most_points = 160, points_of_a_size = 8;
+    for (int n = 0; n < most_points && rows.size() < 3; ++n) {
+      Exact_vector x;
+      for (int c = 0; c < 3; ++c)
+        x[c] = Exact_number(middle[c] + std::ldexp(size, -1 - n / points_of_a_size) * random(20) * 0x1p-20);
+      Rational_point exact_x = rational(x);
+      for (Rational& c : exact_x) c /= Rational(pair.weight);
+      std::array<bool, 2> is_in;
+      std::string both;
+      for (int k = 0; k < 2; ++k) {
+        const auto [row, number] = winding_row(pair, k, "\"point\":" + strings_of(exact_x), x);
+        is_in[k] = number != 0;
+        both += (k == 0 ? "" : ",") + row;
+      }
+      if (is_in[0] || is_in[1]) rows.emplace(is_in, both);
+    }
+    add_key(text, "windings");
+    add_list(text, rows, [](const auto& row) { return row.second; });
+    return rows.size() == 3;
   }
 
   std::string text() const;
@@ -402,11 +451,13 @@ void Certificate::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b
 {
   std::string text = data_->begin("collide", pose_a, pose_b, question);
   add_key(text, "answer");
-  text += quoted(kernel::to_string(answer));
+  text += json_text(kernel::to_string(answer));
   Placed_pair pair = data_->placed(pose_a, pose_b);
   const bool shares_none = data_->cover(text, pair, {});
   if (shares_none != (answer != Relation::surfaces)) fail("the answer is not proved: surfaces");
-  if (shares_none && question == Question::solid && !data_->windings(text, pair, answer))
+  if (shares_none && question == Question::solid &&
+      !(answer == Relation::apart ? data_->all_windings(text, pair)
+                                  : data_->one_winding(text, pair, answer == Relation::a_in_b ? 0 : 1)))
     fail("the answer is not proved: shells");
   data_->keep(std::move(text));
 }
@@ -416,7 +467,7 @@ void Certificate::distance(const kernel::Pose& pose_a, const kernel::Pose& pose_
 {
   std::string text = data_->begin("distance", pose_a, pose_b, question);
   add_key(text, "answer");
-  text += quoted(nearest.squared);
+  text += json_text(nearest.squared);
   data_->together(text, pose_a, pose_b, nearest);
   if (const Rational square(nearest.squared); square != 0)
     data_->apart(text, pose_a, pose_b, question, square, true, nearest);
@@ -428,7 +479,7 @@ void Certificate::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
 {
   std::string text = data_->begin("within", pose_a, pose_b, question);
   add_key(text, "limit");
-  text += quoted(limit);
+  text += json_text(limit);
   add_key(text, "answer");
   text += answer ? '1' : '0';
   const Rational exact_limit = kernel::parse_number(limit).value();
@@ -444,7 +495,7 @@ void Certificate::inside(const std::array<std::string, 3>& point, Location answe
   kernel::require_sound_floating_point();
   std::string text = data_->begin("inside");
   add_key(text, "point");
-  add_list(text, point, [](const std::string& x) { return quoted(x); });
+  add_list(text, point, [](const std::string& x) { return json_text(x); });
   add_key(text, "answer");
   text += std::to_string(int(answer));
   Rational_point x;
@@ -452,11 +503,12 @@ void Certificate::inside(const std::array<std::string, 3>& point, Location answe
   data_->only();
   const Exact_number weight = exact(Rational(common_denominator(x)));
   Covered_body body = data_->placed(0, kernel::Pose(), kernel::Pose(), weight);
-  const Exact_vector at = {exact(x[0] * Rational(weight)), exact(x[1] * Rational(weight)), exact(x[2] * Rational(weight))};
+  const Exact_vector at = {exact(x[0] * Rational(weight)), exact(x[1] * Rational(weight)),
+                           exact(x[2] * Rational(weight))};
   if (answer == Location::on_surface) {
     Probe_cover cover(body, Probe{at, {}, {}});
     std::optional<Index> found;
-    cover([&](tetratree::Box_id piece, const kernel::Exact_face&, bool is_apart) {
+    cover([&](Box_id piece, const kernel::Exact_face&, bool is_apart) {
       if (is_apart) {
         cover.search().append("0");
         return Probe_cover::Met::is_covered;
@@ -471,6 +523,109 @@ void Certificate::inside(const std::array<std::string, 3>& point, Location answe
     fail("the answer is not proved: the winding number");
   }
   data_->keep(std::move(text));
+}
+
+namespace {
+
+/// Returns directions that may part bodies which touch in two faces: normals of either, and of edges of both.
+std::vector<Exact_vector> parting_directions(const std::array<kernel::Exact_face, 2>& face)
+{
+  std::vector<Exact_vector> found;
+  for (const kernel::Exact_face& f : face)
+    if (f.plane) found.push_back(kernel::detail::normal_of(*f.plane));
+  for (const auto& [p, q] : face[0].edges)
+    for (const auto& [r, s] : face[1].edges)
+      found.push_back(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
+  for (std::size_t k = 0, count = found.size(); k < count; ++k)
+    found.push_back(kernel::detail::scaled(found[k], Exact_number(-1)));
+  return found;
+}
+
+}  // namespace
+
+bool Certificate::relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer)
+{
+  std::string text = data_->begin("relation");
+  add_pose(text, "pose_a", pose_a);
+  add_pose(text, "pose_b", pose_b);
+  add_key(text, "answer");
+  text += json_text(kernel::to_string(answer));
+  Placed_pair pair = data_->placed(pose_a, pose_b);
+  if (answer == Solid_relation::disjoint || answer == Solid_relation::inside || answer == Solid_relation::contains) {
+    if (!data_->cover(text, pair, {})) fail("the answer is not proved: surfaces");
+    if (!data_->all_windings(text, pair, answer == Solid_relation::inside, answer == Solid_relation::contains))
+      fail("the answer is not proved: shells");
+    data_->keep(std::move(text));
+    return true;
+  }
+  if (answer != Solid_relation::overlap && answer != Solid_relation::meet) return false;
+  std::string witness = text;
+  tetratree::Common_point met;
+  if (data_->cover(witness, pair, {}, {}, &met)) fail("the answer is not proved: surfaces");
+  if (answer == Solid_relation::meet) {
+    const kernel::Hull a = pair.body[0].hull({}), b = pair.body[1].hull({});
+    for (const Exact_vector& m :
+         parting_directions({pair.body[0].face(met.piece[0]), pair.body[1].face(met.piece[1])})) {
+      if (m == Exact_vector{0, 0, 0} || kernel::extent(a, m, 1) > kernel::extent(b, m, -1)) continue;
+      add_key(witness, "plane");
+      witness += strings_of(in_lowest_terms(rational(m)));
+      data_->keep(std::move(witness));
+      return true;
+    }
+    return false;
+  }
+  if (!data_->overlap(text, pair, met.point)) return false;
+  data_->keep(std::move(text));
+  return true;
+}
+
+bool Certificate::first_contact(const Motion& a, const Motion& b, Question question,
+                                const std::optional<First_contact>& answer)
+{
+  kernel::require_sound_floating_point();
+  const auto &ends_a = a.exact().ends(), &ends_b = b.exact().ends();
+  if (!ends_a || !ends_b) return false;
+  std::string text = data_->begin("motion");
+  add_key(text, "question");
+  text += json_text(kernel::to_string(question));
+  for (const auto& [body, ends] : {std::pair("a", &*ends_a), {"b", &*ends_b}})
+    for (int k = 0; k < 2; ++k) add_pose(text, std::string(k == 0 ? "from_" : "to_") + body, (*ends)[k]);
+  add_key(text, "answer");
+  if (answer)
+    add_list(text, std::array{answer->lo, answer->hi}, [](double t) { return json_text(kernel::shortest(t)); });
+  else
+    text += "null";
+  std::map<double, Placed_pair> placed;
+  const auto at = [&](double time) -> Placed_pair& {
+    const auto found = placed.find(time);
+    if (found != placed.end()) return found->second;
+    return placed.emplace(time, data_->placed(a.exact().at(Rational(time)), b.exact().at(Rational(time))))
+        .first->second;
+  };
+  if (answer) {
+    std::string witness = "{";
+    const bool shares_none = data_->cover(witness, at(answer->hi), {});
+    if (!shares_none) {
+      // The witness is the only key; its time stands first in it.
+      const std::string key = "\"witness\":{";
+      text += ",\"witness\":{\"time\":" + json_text(kernel::to_string(Rational(answer->hi))) + "," +
+              witness.substr(1 + key.size());
+    } else if (answer->hi != 0 || !(data_->one_winding(text, at(0), 0) || data_->one_winding(text, at(0), 1))) {
+      return false;
+    }
+    if (answer->hi == 0) {
+      data_->keep(std::move(text));
+      return true;
+    }
+  }
+  const double end = answer ? answer->lo : 1;
+  tetratree::Motion_cover cover([&](double time) -> std::array<Covered_body, 2>& { return at(time).body; }, end,
+                                answer && answer->lo == answer->hi);
+  if (!cover()) return false;
+  add_cover(text, cover.cover());
+  if (question == Question::solid && !data_->all_windings(text, at(0))) fail("the answer is not proved: shells");
+  data_->keep(std::move(text));
+  return true;
 }
 
 namespace {
@@ -502,11 +657,11 @@ void Certificate::first_hit(const Ray& ray, const std::optional<Ray_hit>& answer
   std::string text = data_->begin("ray");
   for (const auto& [key, numbers] : {std::pair("origin", ray.origin), {"direction", ray.direction}}) {
     add_key(text, key);
-    add_list(text, numbers, [](double x) { return quoted(kernel::shortest(x)); });
+    add_list(text, numbers, [](double x) { return json_text(kernel::shortest(x)); });
   }
   if (std::isfinite(end)) {
     add_key(text, "end");
-    text += quoted(kernel::shortest(end));
+    text += json_text(kernel::shortest(end));
   }
   add_key(text, "answer");
   Data::Part& part = data_->only();
@@ -520,7 +675,7 @@ void Certificate::first_hit(const Ray& ray, const std::optional<Ray_hit>& answer
   if (answer) {
     t = first_time(part.polyhedron(), answer->face, exact_ray);
     face = data_->file_face(0, answer->face);
-    text += "{\"face\":" + std::to_string(face) + ",\"t\":" + quoted(kernel::to_string(*t)) + "}";
+    text += "{\"face\":" + std::to_string(face) + ",\"t\":" + json_text(kernel::to_string(*t)) + "}";
   } else {
     text += "null";
     if (end < 0) return data_->keep(std::move(text));
@@ -542,7 +697,7 @@ void Certificate::first_hit(const Ray& ray, const std::optional<Ray_hit>& answer
     probe.end = weighted(last);
   Probe_cover cover(body, probe);
   std::optional<Index> met;
-  const bool is_covered = cover([&](tetratree::Box_id piece, const kernel::Exact_face& f, bool) {
+  const bool is_covered = cover([&](Box_id piece, const kernel::Exact_face& f, bool) {
     met = body.groups->piece_of(piece).face;
     const bool may_touch = answer && body.groups->group(piece).least_face >= face;
     if (may_touch && !probe.end) {
@@ -565,14 +720,14 @@ std::string Certificate::Data::text_of(const Part& part) const
   const covering::Polyhedron& polyhedron = part.polyhedron();
   if (part.file) {
     add_key(text, "file");
-    text += quoted(part.file->name);
+    text += json_text(part.file->name);
     add_key(text, "sha256");
-    text += quoted(part.file->sha256);
+    text += json_text(part.file->sha256);
   } else {
     add_key(text, "vertices");
     add_list(text, polyhedron.vertices, [](const covering::Vertex& v) {
       std::string row;
-      add_list(row, v, [](double x) { return quoted(kernel::shortest(x)); });
+      add_list(row, v, [](double x) { return json_text(kernel::shortest(x)); });
       return row;
     });
     std::vector<Index> faces(polyhedron.face_count());

@@ -49,6 +49,13 @@ class Certificate {
   /// Adds what `Query::within` answers for this limit. `nearest` is the answer of `Query::nearest`.
   void within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const std::string& limit,
               bool answer, const Nearest& nearest);
+  /// Adds the relation that `Query::solid_relation` answers; the dimension has no proof. True
+  /// where it is proved: disjoint, inside and contains always, overlap and meet where the search finds a proof. Else
+  /// nothing is added.
+  bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
+  /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added: the motion is rigid, or
+  /// the bodies only graze.
+  bool first_contact(const Motion& a, const Motion& b, Question question, const std::optional<First_contact>& answer);
   /// Adds where a point of decimals or fractions is, as `Body::inside_text` answers.
   void inside(const std::array<std::string, 3>& point, Location answer);
   /// Adds what `Body::first_hit` answers.

@@ -55,6 +55,8 @@ const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/pred
                                                                    {"tetratree/relation", "tetratree/contact"},
                                                                    {"tetratree/relation", "tetratree/locator"},
                                                                    {"tetratree/relation", "tetratree/query"},
+                                                                   {"tetratree/certificate", "tetratree/fast"},
+                                                                   {"tetratree/door", "tetratree/certificate"},
                                                                    {"tetratree/door", "tetratree/contact"},
                                                                    {"tetratree/door", "tetratree/paper"},
                                                                    {"tetratree/door", "tetratree/fast"},
