@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <iostream>
 
 namespace tetracone::experiments {
 namespace {
@@ -39,6 +40,12 @@ void require_other_file(const std::string& certificate, const std::string& csv)
 {
   if (!csv.empty() && !certificate.empty() && is_same_file(csv, certificate))
     throw CLI::ValidationError("--certificate", "expected another file than --csv");
+}
+
+void write_certificate(const std::string& file, const Certificate& certificate, std::size_t without_proof)
+{
+  write_whole(file, certificate.text());
+  if (without_proof > 0) std::cerr << file << ": " << without_proof << " answers have no proof and are left out\n";
 }
 
 Certificate certificate_of(const Model_file& model)

@@ -103,7 +103,7 @@ void run_inside(const Points_options& options)
     if (certificate) certificate->inside(exact_texts(p), at);
     return Words{std::to_string(int(at))};
   });
-  if (certificate) write_whole(options.certificate, certificate->text());
+  if (certificate) write_certificate(options.certificate, *certificate);
 }
 
 /// Returns the distance or its square, the point, what holds it, and whether it is the only one.

@@ -169,7 +169,7 @@ void run_ray(const Ray_options& options)
     std::cout << text;
   else
     write_whole(options.csv, csv);
-  if (certificate) write_whole(options.certificate, certificate->text());
+  if (certificate) write_certificate(options.certificate, *certificate);
 }
 
 }  // namespace

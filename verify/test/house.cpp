@@ -99,6 +99,7 @@ const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/pred
                                                                    {"verify/python", "verify/integer_truth"},
                                                                    {"verify/python", "verify/shrink"},
                                                                    {"experiments/viewer", "experiments/support"},
+                                                                   {"experiments/certificates", "experiments/peers"},
                                                                    {"experiments/speed", "experiments/support"},
                                                                    {"experiments/speed", "experiments/peers"},
                                                                    {"experiments/queries", "experiments/support"},
