@@ -2,6 +2,7 @@
 #include "experiments/cli/commands.h"
 
 #include "experiments/cli/answer_rows.h"
+#include "experiments/cli/certificate_file.h"
 #include "experiments/cli/contact_rows.h"
 #include "experiments/cli/subject_options.h"
 #include "experiments/support/output_file.h"
@@ -32,7 +33,7 @@ using kernel::Question;
 
 struct Collide_options {
   Scene_names names;
-  std::string csv, question = "solid", kernel = "adaptive", method = "tree", curves;
+  std::string csv, question = "solid", kernel = "adaptive", method = "tree", curves, certificate;
   std::vector<std::string> compare;
   Subject_options others;
   bool features = false, contacts = false, exact = false, relation = false, json = false, time = false;
@@ -96,6 +97,17 @@ Answers ask(Query& query, const Pose_pairs& poses, int passes, bool relation = f
       progress.step();
     }
   return answers;
+}
+
+/// Returns the proofs of all answers. Each is asked again, as a relation.
+std::string certificate(Query& query, const Placed_models& scene)
+{
+  Certificate certificate = certificate_of(scene.a, scene.b);
+  for (std::size_t k = 0; k < scene.poses.count(); ++k) {
+    const Pose &a = scene.poses.of_a(k), &b = scene.poses.of_b(k);
+    certificate.collide(a, b, scene.question, query.collide(a, b).relation());
+  }
+  return certificate.text();
 }
 
 /// Reports on stderr the extra cost of the first query, by asking its pose again.
@@ -178,6 +190,10 @@ void require_contact_options(const Collide_options& options)
   require(options.exact, options.contacts, "--exact", "expected with --contacts");
   require(!options.curves.empty(), options.contacts, "--curves", "expected with --contacts");
   require(!options.curves.empty(), is_curve_file(options.curves), "--curves", "expected a file *.obj or *.ply");
+  require(!options.certificate.empty(), !options.lists(), "--certificate",
+          "expected without --features and --contacts");
+  require(!options.certificate.empty(), !rounds, "--certificate",
+          "expected with an exact kernel: adaptive, epeck or rational");
   require(options.relation, !options.lists(), "--relation", "expected without --features and --contacts");
   require(options.relation, options.question == "solid", "--relation", "expected with --question solid");
   require(options.relation, options.compare.empty(), "--compare", "expected without --relation");
@@ -233,8 +249,9 @@ void run_collide(const Collide_options& options, bool question_is_given)
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
   require_contact_options(options);
   std::vector<std::string> kernels = kernels_of(options);
-  for (const std::string& output : {options.csv, options.curves})
+  for (const std::string& output : {options.csv, options.curves, options.certificate})
     if (!output.empty()) options.names.refuse_as_output(output);
+  require_other_file(options.certificate, options.csv);
   if (!options.curves.empty() && !options.csv.empty() && is_same_file(options.curves, options.csv))
     throw CLI::ValidationError("--curves " + options.curves, "expected another file than that of --csv");
 
@@ -244,7 +261,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
     c = verify::read_case(options.names.a);
   }
   std::vector<std::vector<Answer_row>> columns;
-  std::string text, curves;
+  std::string text, curves, proofs;
   bool failed = false;
   if (c && c->level == verify::Case_kind::predicate) {
     for (const auto& [given, name] : {std::pair(question_is_given, "--question"),
@@ -252,6 +269,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
                                       {options.contacts, "--contacts"},
                                       {options.relation, "--relation"},
                                       {options.time, "--time"},
+                                      {!options.certificate.empty(), "--certificate"},
                                       {!options.others.commands.empty(), "--subject-command"},
                                       {options.method != "tree", "--method"}})
       if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
@@ -278,6 +296,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
       }
       const Answers answers = ask(query, scene.poses, options.time ? options.repeat : 1, options.relation);
       if (options.time) tell_first_query(query, scene, answers, ready);
+      if (!options.certificate.empty() && proofs.empty()) proofs = certificate(query, scene);
       columns.push_back(answers.rows);
     }
     for (const verify::Object_subject& command : command_subjects(options.others, verify::object_subjects())) {
@@ -293,6 +312,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
   else
     write_whole(options.csv, text);
   if (!options.curves.empty()) write_whole(options.curves, curves);
+  if (!options.certificate.empty()) write_whole(options.certificate, proofs);
   if (failed) throw CLI::RuntimeError(1);
 }
 
@@ -331,6 +351,7 @@ void add_collide_command(CLI::App& app)
       "With --contacts: write the segments, joined into chains and loops, to this file, *.obj or *.ply");
   command->add_flag("--relation", options->relation,
                     "apart, surfaces, a_in_b or b_in_a instead of 0 or 1, for --question solid");
+  add_certificate_option(*command, options->certificate);
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--json", options->json, "Write JSON to standard output");
   command->add_flag(

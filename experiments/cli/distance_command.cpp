@@ -1,7 +1,7 @@
 #include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
-#include "experiments/cli/distance_certificate.h"
+#include "experiments/cli/certificate_file.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
@@ -108,6 +108,21 @@ class Asking {
   const Pose_pairs& poses_;
 };
 
+std::string certificate(const Distance_options& options, Query& query, const std::array<Model_file, 2>& models,
+                        const Pose_pairs& poses, Question question)
+{
+  Certificate certificate = certificate_of(models[0], models[1]);
+  for (std::size_t k = 0; k < poses.count(); ++k) {
+    const kernel::Pose &a = poses.of_a(k), &b = poses.of_b(k);
+    const Nearest nearest = query.nearest(a, b);
+    if (options.within.empty())
+      certificate.distance(a, b, question, nearest);
+    else
+      certificate.within(a, b, question, options.within, query.within(a, b, options.within), nearest);
+  }
+  return certificate.text();
+}
+
 void run_distance(const Distance_options& options)
 {
   const auto question = kernel::parse_question(options.question);
@@ -119,6 +134,8 @@ void run_distance(const Distance_options& options)
     throw CLI::ValidationError("--exact", "expected --kernel adaptive or rational");
   if (options.points && how->kernel == Kernel::double_)
     throw CLI::ValidationError("--points", "expected --kernel adaptive or rational");
+  if (!options.certificate.empty() && how->kernel == Kernel::double_)
+    throw CLI::ValidationError("--certificate", "expected --kernel adaptive or rational");
   if (options.points && (options.exact || !options.within.empty()))
     throw CLI::ValidationError("--points", "expected without --exact and --within");
   if (options.exact && !options.within.empty()) throw CLI::ValidationError("--exact", "expected without --within");
@@ -129,8 +146,7 @@ void run_distance(const Distance_options& options)
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
   for (const std::string& output : {options.csv, options.certificate})
     if (!output.empty()) options.names.refuse_as_output(output);
-  if (!options.csv.empty() && !options.certificate.empty() && is_same_file(options.csv, options.certificate))
-    throw CLI::ValidationError("--certificate", "expected another file than --csv");
+  require_other_file(options.certificate, options.csv);
 
   const Pose_pairs poses = read_pose_pairs(options.names);
   const bool solid = *question == Question::solid;
@@ -138,8 +154,7 @@ void run_distance(const Distance_options& options)
   Query query(models[0].body, models[1].body, *question, *how);
   const std::string text = Asking(options, query, models, poses).text();
   if (!options.certificate.empty())
-    write_whole(options.certificate,
-                distance_certificate(models[0].polyhedron(), models[1].polyhedron(), poses, *question));
+    write_whole(options.certificate, certificate(options, query, models, poses, *question));
   if (options.csv.empty())
     std::cout << text;
   else
@@ -169,9 +184,7 @@ void add_distance_command(CLI::App& app)
                       "Write a table to this file: pose,distance or, with --within, pose,within");
   command->add_flag("--time", options->time, "With --csv: nanoseconds and work of each pose");
   add_default(*command, "--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts");
-  command->add_option(
-      "--certificate", options->certificate,
-      "Write JSON to this file, from which experiments/support/check_certificate.py proves the answers");
+  add_certificate_option(*command, options->certificate);
   options->names.add_options_to(*command);
   command->footer(
       "With --exact a line is `SQUARE  X Y Z HOLDER  X Y Z HOLDER`; a holder is `vertex V`, `edge V V`, `face F` or "

@@ -1,6 +1,7 @@
 #include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
+#include "experiments/cli/certificate_file.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/motion_options.h"
 #include "experiments/support/output_file.h"
@@ -21,7 +22,7 @@ namespace {
 
 struct Motion_options {
   Motion_names names;
-  std::string csv, question = "solid";
+  std::string csv, certificate, question = "solid";
   bool time = false, features = false, first = false;
 };
 
@@ -97,7 +98,11 @@ void run_motion(const Motion_options& options)
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
   if (options.first && options.names.path.empty()) throw CLI::ValidationError("--first", "expected with --path");
-  if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
+  if (!options.certificate.empty() && options.first)
+    throw CLI::ValidationError("--certificate", "expected without --first");
+  for (const std::string& output : {options.csv, options.certificate})
+    if (!output.empty()) options.names.refuse_as_output(output);
+  require_other_file(options.certificate, options.csv);
   const Motion_pairs motions = read_motion_pairs(options.names);
   const bool solid = *question == Question::solid;
   const auto models = load_models(options.names.a, options.names.b, options.names.models, solid);
@@ -107,6 +112,13 @@ void run_motion(const Motion_options& options)
     std::cout << text;
   else
     write_whole(options.csv, text);
+  if (options.certificate.empty()) return;
+  Certificate certificate = certificate_of(models[0], models[1]);
+  std::size_t without_proof = 0;
+  for (std::size_t k = 0; k < motions.a.size(); ++k)
+    without_proof += !certificate.first_contact(motions.a[k], motions.b[k], *question,
+                                                query.first_contact(motions.a[k], motions.b[k]));
+  write_certificate(options.certificate, certificate, without_proof);
 }
 
 }  // namespace
@@ -132,6 +144,7 @@ void add_motion_command(CLI::App& app)
   command->add_flag(
       "--features", options->features,
       "What meets first, of A and of B: `vertex V`, `edge V V` or `face F` of the file; nothing at t = 0");
+  add_certificate_option(*command, options->certificate);
   command->add_option("--csv", options->csv, "Write a table to this file: motion,answer,lo,hi");
   command->add_flag("--time", options->time, "With --csv: nanoseconds and work of each motion");
   command->footer(

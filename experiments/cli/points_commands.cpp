@@ -1,5 +1,6 @@
 #include "experiments/cli/commands.h"
 
+#include "experiments/cli/certificate_file.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,7 @@ namespace tetracone::experiments {
 namespace {
 
 struct Points_options {
-  std::string model, points, csv;
+  std::string model, points, csv, certificate;
   Model_options models;
   bool exact = false, time = false;
 };
@@ -41,16 +43,18 @@ std::array<std::string, 3> exact_texts(const covering::Point_numbers& p)
 }
 
 /// Writes answer(model, point) for each point: a line of words, or a row of the table that has these columns.
-/// `prepare(body)` makes what no point's time is to hold.
+/// `prepare(model)` makes what no point's time is to hold.
 template <class Prepare, class Answer>
 void answer_points(const Points_options& options, const std::string& columns, const Prepare& prepare,
                    const Answer& answer)
 {
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
-  if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.points});
+  for (const std::string& output : {options.csv, options.certificate})
+    if (!output.empty()) refuse_input(output, {options.model, options.points});
+  require_other_file(options.certificate, options.csv);
   const auto points = covering::read_points(options.points);
   const Model_file model = load_model(options.model, options.models, true);
-  prepare(model.body);
+  prepare(model);
 
   const bool is_table = !options.csv.empty();
   std::string text = is_table ? "point," + columns + (options.time ? ",ns\n" : "\n") : "";
@@ -88,12 +92,18 @@ CLI::App* add_points_command(CLI::App& app, const std::string& name, const std::
 
 void run_inside(const Points_options& options)
 {
-  const auto prepare = [](const Body& body) { body.inside_bytes(); };
-  answer_points(options, "answer", prepare, [](const Model_file& model, const covering::Point_numbers& p) {
+  std::optional<Certificate> certificate;
+  const auto prepare = [&](const Model_file& model) {
+    model.body.inside_bytes();
+    if (!options.certificate.empty()) certificate.emplace(certificate_of(model));
+  };
+  answer_points(options, "answer", prepare, [&](const Model_file& model, const covering::Point_numbers& p) {
     const Location at =
         has_fractions(p) ? model.body.inside_text(exact_texts(p)) : model.body.inside(nearest_doubles(p));
+    if (certificate) certificate->inside(exact_texts(p), at);
     return Words{std::to_string(int(at))};
   });
+  if (certificate) write_certificate(options.certificate, *certificate);
 }
 
 /// Returns the distance or its square, the point, what holds it, and whether it is the only one.
@@ -120,9 +130,9 @@ Words nearest_words(const Model_file& model, const covering::Point_numbers& p, b
 
 void run_nearest(const Points_options& options)
 {
-  const auto prepare = [](const Body& body) {
-    body.inside_bytes();
-    body.make_all();
+  const auto prepare = [](const Model_file& model) {
+    model.body.inside_bytes();
+    model.body.make_all();
   };
   answer_points(options, options.exact ? "square,x,y,z,holder,ties" : "distance,x,y,z,holder,ties", prepare,
                 [&](const Model_file& model, const covering::Point_numbers& p) {
@@ -137,6 +147,7 @@ void add_inside_command(CLI::App& app)
   const auto options = std::make_shared<Points_options>();
   CLI::App* command =
       add_points_command(app, "inside", "Where points are: 1 inside the solid, 0 on its surface, -1 outside", *options);
+  add_certificate_option(*command, options->certificate);
   command->footer("One line a point. Example: tetracone inside house.poly points.txt");
   command->callback([options] { run_inside(*options); });
 }

@@ -1,5 +1,6 @@
 #include "experiments/cli/commands.h"
 
+#include "experiments/cli/certificate_file.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
@@ -23,7 +24,7 @@ namespace tetracone::experiments {
 namespace {
 
 struct Ray_options {
-  std::string model, rays, csv;
+  std::string model, rays, csv, certificate;
   Model_options models;
   std::string end;
   bool all = false, any = false, sides = false, normals = false, time = false;
@@ -115,12 +116,18 @@ void run_ray(const Ray_options& options)
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
   if (options.any && (options.all || options.sides || options.normals))
     throw CLI::ValidationError("--any", "expected without --all, --sides and --normals");
+  if (!options.certificate.empty() && (options.all || options.any))
+    throw CLI::ValidationError("--certificate", "expected without --all and --any");
   const double end = end_of(options);
-  if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.rays});
+  for (const std::string& output : {options.csv, options.certificate})
+    if (!output.empty()) refuse_input(output, {options.model, options.rays});
+  require_other_file(options.certificate, options.csv);
   const auto rays = covering::read_rays(options.rays);
   const Model_file model = load_model(options.model, options.models, false);
   const Body body = model.body;
   body.make_all();  // no ray's time is that of the tree
+  std::optional<Certificate> certificate;
+  if (!options.certificate.empty()) certificate.emplace(certificate_of(model));
 
   const std::size_t columns = 2 + (options.sides ? 1 : 0) + (options.normals ? 3 : 0);
   std::string text, csv = options.any ? "ray,hit" : "ray,face,t";
@@ -141,6 +148,7 @@ void run_ray(const Ray_options& options)
     else if (const auto first = body.first_hit(ray, end))
       hits = {*first};
     const std::string ns = options.time ? "," + std::to_string(static_cast<long long>(watch.nanoseconds())) : "";
+    if (certificate) certificate->first_hit(ray, hits.empty() ? std::nullopt : std::optional(hits[0]), end);
     hits = as_in_file(ray, hits, model);
     if (options.any) {
       text += is_hit ? "1" : "0";
@@ -161,6 +169,7 @@ void run_ray(const Ray_options& options)
     std::cout << text;
   else
     write_whole(options.csv, csv);
+  if (certificate) write_certificate(options.certificate, *certificate);
 }
 
 }  // namespace
@@ -182,6 +191,7 @@ void add_ray_command(CLI::App& app)
   command->add_flag("--normals", options->normals,
                     "Behind that: the face's unit normal, outward where faces are oriented outward; each component is "
                     "the double nearest to it");
+  add_certificate_option(*command, options->certificate);
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--time", options->time, "With --csv: nanoseconds of each ray");
   options->models.add_to(*command);

@@ -2,6 +2,7 @@
 #include "experiments/cli/commands.h"
 
 #include "experiments/cli/answer_rows.h"
+#include "experiments/cli/certificate_file.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
@@ -28,7 +29,7 @@ using Json = nlohmann::ordered_json;
 
 struct Relation_options {
   Scene_names names;
-  std::string csv, kernel = "adaptive";
+  std::string csv, certificate, kernel = "adaptive";
   bool volume = false, exact = false, json = false, time = false;
   int repeat = 1;
 
@@ -128,16 +129,25 @@ void run_relation(const Relation_options& options)
   if (options.time && options.csv.empty() && !options.json)
     throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
-  if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
+  for (const std::string& output : {options.csv, options.certificate})
+    if (!output.empty()) options.names.refuse_as_output(output);
+  require_other_file(options.certificate, options.csv);
 
   const Pose_pairs poses = read_pose_pairs(options.names);
   const auto models = load_models(options.names.a, options.names.b, options.names.models, true);
   Query query(models[0].body, models[1].body, Question::solid, *way);
-  const std::string text = text_of(ask(query, poses, options), options);
+  const std::vector<Relation_row> rows = ask(query, poses, options);
+  const std::string text = text_of(rows, options);
   if (options.csv.empty())
     std::cout << text;
   else
     write_whole(options.csv, text);
+  if (options.certificate.empty()) return;
+  Certificate certificate = certificate_of(models[0], models[1]);
+  std::size_t without_proof = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    without_proof += !certificate.relation(poses.of_a(k), poses.of_b(k), rows[k].contact.relation);
+  write_certificate(options.certificate, certificate, without_proof);
 }
 
 }  // namespace
@@ -154,6 +164,7 @@ void add_relation_command(CLI::App& app)
       "Behind the dimension the double nearest to the volume of the overlap; tables have its centroid too");
   command->add_flag("--exact", options->exact, "The volume and the centroid, as fractions");
   add_default(*command, "--kernel", options->kernel, "adaptive");
+  add_certificate_option(*command, options->certificate);
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--json", options->json, "Write JSON to standard output, with --volume also the contact area");
   command->add_flag("--time", options->time, "With --csv or --json: nanoseconds of each pose");

@@ -1,6 +1,7 @@
 #include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
+#include "experiments/certificates/certified_subjects.h"
 #include "experiments/cli/subject_options.h"
 #include "experiments/peers/check_subject.h"
 #include "experiments/peers/peers.h"
@@ -36,7 +37,7 @@ struct Verify_options {
   std::vector<std::string> families, subjects;
   Subject_options others;
   std::uint64_t cases = 0;
-  bool list = false;
+  bool list = false, certificates = false;
   Campaign campaign;
 };
 
@@ -76,9 +77,10 @@ std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<s
   return some;
 }
 
-/// Returns the level's subjects, with those that are started as `self`.
+/// Returns the level's subjects, with those that are started as `self`, and with `certificates` those whose answers are
+/// proved.
 template <class Level>
-auto subjects_of(const std::string& self)
+auto subjects_of(const std::string& self, bool certificates)
 {
   auto subjects = Level::subjects();
   const auto add = [&subjects](auto&& more) {
@@ -86,20 +88,26 @@ auto subjects_of(const std::string& self)
   };
   if constexpr (std::is_same_v<Level, verify::levels::Objects>) add(peer_subjects(self));
   if constexpr (std::is_same_v<Level, verify::levels::Motions>) add(motion_peer_subjects(self));
+  if (!certificates) return subjects;
+  if constexpr (std::is_same_v<Level, verify::levels::Objects> || std::is_same_v<Level, verify::levels::Distances>)
+    subjects.push_back(certified_objects());
+  if constexpr (std::is_same_v<Level, verify::levels::Points>) subjects.push_back(certified_points());
+  if constexpr (std::is_same_v<Level, verify::levels::Rays>) subjects.push_back(certified_rays());
   return subjects;
 }
 
 void choose_subjects(const Verify_options& options, Campaign& campaign)
 {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").native();
-  const auto objects = subjects_of<verify::levels::Objects>(self);
+  const auto objects = subjects_of<verify::levels::Objects>(self, options.certificates);
   const auto commands = command_subjects(options.others, objects);
   std::set<std::string> known;
   for (const auto& command : commands) known.insert(command.name);
   verify::for_each_level(campaign.levels, [&]<class Level>(Asked<Level>& asked) {
     // The first three levels' subjects are known at every level.
     const bool is_first = Level::name == "predicate" || Level::name == "object" || Level::name == "features";
-    if (is_first || asked.is_asked) asked.subjects = chosen(subjects_of<Level>(self), options.subjects, known);
+    if (is_first || asked.is_asked)
+      asked.subjects = chosen(subjects_of<Level>(self, options.certificates), options.subjects, known);
     asked.is_asked = asked.is_asked && (is_first || !asked.subjects.empty());
   });
   auto& asked_objects = campaign.at<verify::levels::Objects>().subjects;
@@ -294,6 +302,7 @@ std::string campaign_words(const CLI::App& command, const Verify_options& option
   std::vector<std::string> names = {"--cases",           "--seed",  "--family", "--subject",
                                     "--subject-command", "--level", "--frames"};
   if (!options.others.commands.empty()) names.emplace_back("--subject-limit");
+  if (options.certificates) names.emplace_back("--certificates");
   return "build/tetracone verify" + words_of(command, names);
 }
 
@@ -357,6 +366,9 @@ void add_verify_command(CLI::App& app)
                    "Only this subject, or a kernel with all its methods; may be given again")
       ->allow_extra_args(false);
   add_subject_options(*command, options->others);
+  command->add_flag("--certificates", options->certificates,
+                    "One more subject, `certified tree`, of collisions, distances, points and rays: each answer is "
+                    "proved by experiments/certificates/check.py; one that is refused is a failure");
   command->add_option("--check-subject", options->check_subject,
                       "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
   command->add_option("--level", options->level, "Only this level: " + level_names());

@@ -70,7 +70,9 @@ Model_file load(const std::string& file, const Model_options& options, bool must
     covering::Polyhedron polyhedron = std::move(read.polyhedron);
     if (options.merge) polyhedron = covering::merge_equal_vertices(std::move(polyhedron));
     if (options.orient) polyhedron = covering::orient(polyhedron).polyhedron;
-    return planar_model(file, std::move(polyhedron), options.strict, lines);
+    Model_file model = planar_model(file, std::move(polyhedron), options.strict, lines);
+    model.is_as_in_file = !is_saved && !options.merge && !options.orient && read.loops_turned + read.facets_turned == 0;
+    return model;
   };
   Model_file model = is_saved && !options.merge && !options.orient ? saved_model(file) : as_options_say();
   // Triangles that replace a face have its edges, so the model is open where the file is.

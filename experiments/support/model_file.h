@@ -28,7 +28,8 @@ struct Model_file {
   std::string file;
   Body body;  ///< with the nodes of its tree that the file has, or triangulated
   std::vector<covering::Index>
-      source_face;  ///< for each face, the face of the file that it is, or is a triangle of; ascending
+      source_face;             ///< for each face, the face of the file that it is, or is a triangle of; ascending
+  bool is_as_in_file = false;  ///< the file has these vertices, and faces in these directions, in this order
 
   const covering::Polyhedron& polyhedron() const { return body.polyhedron(); }
 };

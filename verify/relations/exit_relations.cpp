@@ -18,6 +18,7 @@ using kernel::Solid_relation;
 using object_family::composed;
 using object_family::Exact_vector;
 using object_family::times;
+using object_family::turned;
 
 /// Relation: a twin has these exits along a direction.
 Verdict exits_are(const Solid_exits& expected, const Exit_level::Trial& t, const Object_case& twin,

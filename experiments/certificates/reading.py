@@ -1,0 +1,161 @@
+"""What the checker trusts: numbers, objects of JSON, and model files as they are read. README.md has the format."""
+import hashlib
+import os
+import re
+from fractions import Fraction
+
+DECIMAL = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
+FRACTION = re.compile(r"[-+]?[0-9]+/0*[1-9][0-9]*")
+EXACT = re.compile(r"-?[0-9]+(/0*[1-9][0-9]*)?")
+
+
+class Bad(Exception):
+    """The input has not the format."""
+
+
+class Refused(Exception):
+    """The input does not prove its answer."""
+
+
+def need(holds, what):
+    if not holds:
+        raise Refused(what)
+
+
+def need_form(holds, what):
+    if not holds:
+        raise Bad(what)
+
+
+# Numbers and vectors
+
+
+def given(text):
+    """A number as the input has it: a fraction is exact, a decimal stands for the nearest double."""
+    need_form(isinstance(text, str), "a number is not a string")
+    if FRACTION.fullmatch(text):
+        return Fraction(text)
+    need_form(DECIMAL.fullmatch(text) and abs(float(text)) < float("inf"), f"'{text[:40]}' is not a finite number")
+    return Fraction(float(text))
+
+
+def exact(text):
+    need_form(isinstance(text, str) and EXACT.fullmatch(text), f"'{str(text)[:40]}' is not an integer or a fraction")
+    return Fraction(text)
+
+
+def vector(texts, number=exact, size=3):
+    need_form(isinstance(texts, list) and len(texts) == size, f"a list has not {size} numbers")
+    return [number(text) for text in texts]
+
+
+def index(number, things, what):
+    need_form(type(number) is int and 0 <= number < len(things), f"there is no {what} {str(number)[:40]}")
+    return number
+
+
+class Object(dict):
+    """An object of JSON."""
+
+    def __init__(self, items):
+        super().__init__(items)
+        need_form(len(self) == len(items), "a key is there twice")
+
+    def __missing__(self, key):
+        raise Bad(f"the key {key} is missing")
+
+
+def need_keys(entry, known):
+    need_form(isinstance(entry, Object), "something is not an object")
+    for key in entry:
+        need_form(key in known.split(), f"the key {key[:40]} is unknown here")
+
+
+def lines_of(data, path):
+    """The words of each line that has some; '#' begins a comment."""
+    text = data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
+    need_form(text.strip(), f"{path} is empty")
+    return [words for line in text.split("\n") if (words := line.split("#")[0].split())]
+
+
+def count(word):
+    need_form(re.fullmatch("[0-9]+", word), f"'{word[:40]}' is not a count or an index")
+    return int(word)
+
+
+def read_off(lines):
+    need_form(re.fullmatch("(ST)?C?N?OFF", lines[0][0]), "the file does not begin with OFF")
+    lines = [lines[0][1:]] * (len(lines[0]) > 1) + lines[1:]
+    first = 1 + count(lines[0][0])
+    faces = [[[count(x) for x in words[1:1 + count(words[0])]]] for words in lines[first:first + count(lines[0][1])]]
+    need_form(len(faces) == count(lines[0][1]), "the file ends too early")
+    return [[given(x) for x in words[:3]] for words in lines[1:first]], faces
+
+
+def read_obj(lines):
+    vertices, faces, words = [], [], []
+    for line in lines:
+        words += line
+        if words[-1].endswith("\\"):
+            words[-1:] = [words[-1][:-1]] * (len(words[-1]) > 1)
+            continue
+        if words[:1] == ["v"]:
+            vertices.append([given(x) for x in words[1:4]])
+        elif words[:1] == ["f"]:
+            numbers = [word.split("/")[0] for word in words[1:]]
+            faces.append([[len(vertices) - count(n[1:]) if n.startswith("-") else count(n) - 1 for n in numbers]])
+        words = []
+    return vertices, faces
+
+
+def read_poly(lines, nodes):
+    """TetGen's facets of several polygons; the first is the outer one. Nodes may have a file of their own."""
+    head = lines.pop(0)
+    nodes, size = (nodes, count(nodes.pop(0)[0])) if nodes else (lines, count(head[0]))
+    first = count(nodes[0][0])
+    vertices = [[given(x) for x in nodes.pop(0)[1:4]] for _ in range(size)]
+    faces = []
+    for _ in range(count(lines.pop(0)[0])):
+        polygons, holes = [count(x) for x in lines.pop(0) + ["0"]][:2]
+        faces.append([])
+        for _ in range(polygons):
+            words = lines.pop(0)
+            while len(words) <= count(words[0]):
+                words += lines.pop(0)
+            faces[-1].append([count(x) - first for x in words[1:]])
+        del lines[:holes]
+    return vertices, faces
+
+
+def read_bytes(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def read_model(path):
+    """Vertices, faces, and the hash of the file's bytes."""
+    data, (stem, suffix) = read_bytes(path), os.path.splitext(path)
+    need_form(suffix.lower() in (".off", ".obj", ".poly"), f"{path} is no .off, .obj or .poly file")
+    lines = lines_of(data, path)
+    try:
+        if suffix.lower() == ".poly":
+            beside = read_bytes(stem + ".node") if count(lines[0][0]) == 0 else b""
+            vertices, faces = read_poly(lines, lines_of(beside, path) if beside else None)
+            data += beside
+        else:
+            vertices, faces = (read_off if suffix.lower() == ".off" else read_obj)(lines)
+    except IndexError:
+        raise Bad(f"{path} ends too early") from None
+    need_form(all(len(v) == 3 for v in vertices), f"{path} has a vertex without three numbers")
+    return vertices, faces, hashlib.sha256(data).hexdigest()
+
+
+def need_given(answers, key, path):
+    """The answers are about the numbers of the file, in order; one row serves all."""
+    size = {"point": 3, "ray": 6}.get(key, 12)
+    numbers = [given(x) for words in lines_of(read_bytes(path), path) for x in " ".join(words).replace(",", " ").split()]
+    need_form(len(numbers) in (size, size * len(answers)), f"{path} has not {size} numbers for each answer")
+    for k, answer in enumerate(answers):
+        said = answer["origin"] + answer["direction"] if key == "ray" else answer[key]
+        first = k * size % len(numbers)
+        need(vector(said, given, size) == numbers[first:first + size], f"answer {k} is not about what {path} says")

@@ -1,0 +1,32 @@
+#ifndef TETRACONE_EXPERIMENTS_CLI_CERTIFICATE_FILE_H
+#define TETRACONE_EXPERIMENTS_CLI_CERTIFICATE_FILE_H
+
+#include "experiments/support/model_file.h"
+#include "tetracone/tetratree/door/certificate.h"
+
+#include <cstddef>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace tetracone::experiments {
+
+/// Adds the option --certificate FILE.
+void add_certificate_option(CLI::App& command, std::string& file);
+
+/// Throws CLI::ValidationError where the certificate would be written over the table.
+void require_other_file(const std::string& certificate, const std::string& csv);
+
+/// Writes the certificate. A line on stderr says how many answers have no proof, if some have none.
+void write_certificate(const std::string& file, const Certificate& certificate, std::size_t without_proof = 0);
+
+/// Returns an empty certificate about the model, or about both. A model that stands as in its file, of a format that
+/// experiments/certificates/check.py reads, is named by its hash; another one is written into the certificate.
+Certificate certificate_of(const Model_file& model);
+Certificate certificate_of(const Model_file& a, const Model_file& b);
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,246 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_HULL_SEPARATION_H
+#define TETRACONE_KERNEL_PREDICATE_HULL_SEPARATION_H
+
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/predicate/face_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// Directions that separate convex hulls: searched in double, which may fail, then tested exactly. They are for
+/// certificates, so short integers are preferred.
+namespace tetracone::kernel {
+
+using Rounded_vector = std::array<double, 3>;
+
+/// Exact points, and doubles near them. All doubles are multiplied by one common factor, so that they are finite.
+struct Hull_points {
+  std::vector<Exact_vector> exact;
+  std::vector<Rounded_vector> rounded;
+};
+
+/// Rounds the points of two hulls, multiplied by one power of 2 for which products of a few coordinates are finite.
+/// Returns that power.
+inline Exact_number round_together(Hull_points& a, Hull_points& b)
+{
+  Exact_number factor = 1;
+  const auto largest = [&] {
+    double largest = 0;
+    for (Hull_points* hull : {&a, &b}) {
+      hull->rounded.resize(hull->exact.size());
+      for (std::size_t v = 0; v < hull->exact.size(); ++v)
+        for (int k = 0; k < 3; ++k) {
+          hull->rounded[v][k] = Exact_number(hull->exact[v][k] * factor).to_double();
+          largest = maximum(largest, std::abs(hull->rounded[v][k]));
+        }
+    }
+    return largest;
+  };
+  // Products of three numbers of this range neither overflow nor vanish. The coordinates of placed doubles need few
+  // steps; where all points are 0, no step helps.
+  constexpr double least = 0x1p-200, most = 0x1p200, step = 0x1p300;
+  for (int k = 0; k < 40; ++k) {
+    const double size = largest();
+    if (size >= least && size <= most) break;
+    factor = factor * Exact_number(size > most ? 1 / step : step);
+  }
+  return factor;
+}
+
+/// A hull of points, and of all points beyond them along `recession` where there is one.
+struct Hull {
+  const Hull_points* points;
+  std::span<const std::uint32_t> corners;  ///< numbers of points, at least one
+  const Rounded_vector* recession = nullptr;
+};
+
+/// Two hulls, B beyond A.
+struct Hull_pair {
+  Hull a, b;
+};
+
+/// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Returns
+/// nothing where the search finds none in a few steps, or no such direction exists. The recession of A does not lead
+/// towards B along it. Source: E. G. Gilbert, An iterative procedure for computing the minimum of a quadratic form on a
+/// convex set, SIAM J. Control 4 (1966).
+inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair> pairs, double distance)
+{
+  const auto middle = [](const Hull& hull) {
+    Rounded_vector sum{};
+    for (const std::uint32_t v : hull.corners)
+      for (int k = 0; k < 3; ++k) sum[k] += hull.points->rounded[v][k];
+    for (double& x : sum) x /= double(hull.corners.size());
+    return sum;
+  };
+  // Of the hull of all B - A, the point nearest to the origin on the segment to the last support.
+  Rounded_vector z{};
+  for (const Hull_pair& pair : pairs) {
+    const Rounded_vector way = difference(middle(pair.b), middle(pair.a));
+    for (int k = 0; k < 3; ++k) z[k] += way[k] / double(pairs.size());
+  }
+  constexpr int most_steps = 40;
+  for (int step = 0; step < most_steps; ++step) {
+    const Rounded_vector* recession = pairs[0].a.recession;
+    if (recession) {
+      const double along = dot(z, *recession);
+      if (along > 0)
+        for (int k = 0; k < 3; ++k) z[k] -= along / dot(*recession, *recession) * (*recession)[k];
+    }
+    const auto support = [&](const Hull& hull, double sign) {
+      std::size_t best = hull.corners[0];
+      for (const std::uint32_t v : hull.corners)
+        if (sign * dot(z, hull.points->rounded[v]) > sign * dot(z, hull.points->rounded[best])) best = v;
+      return hull.points->rounded[best];
+    };
+    std::optional<Rounded_vector> least;
+    for (const Hull_pair& pair : pairs) {
+      const Rounded_vector v = difference(support(pair.b, -1), support(pair.a, 1));
+      if (!least || dot(z, v) < dot(z, *least)) least = v;
+    }
+    const double length = std::sqrt(dot(z, z));
+    if (!(length > distance)) return std::nullopt;
+    if (dot(z, *least) > distance * length) return z;
+    const Rounded_vector w = difference(*least, z);
+    const double share = -dot(z, w) / dot(w, w);
+    if (!(share > 0x1p-40)) return std::nullopt;
+    for (int k = 0; k < 3; ++k) z[k] += minimum(share, 1.0) * w[k];
+  }
+  return std::nullopt;
+}
+
+/// Returns the direction with integer components of at most so many bits.
+inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
+{
+  const double largest = maximum(maximum(std::abs(direction[0]), std::abs(direction[1])), std::abs(direction[2]));
+  Exact_vector whole;
+  for (int k = 0; k < 3; ++k) whole[k] = Exact_number(std::rint(std::ldexp(direction[k] / largest, bits)));
+  return whole;
+}
+
+/// Same, for a direction whose product with `recession` is not positive: that holds for the result exactly. The
+/// components are those along two directions across the recession, and against it.
+inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, Exact_vector recession)
+{
+  // Powers of 2 make the axes about as long as 1.
+  const auto unit = [](Exact_vector axis) {
+    double largest = 0;
+    for (const Exact_number& x : axis) largest = maximum(largest, std::abs(x.to_double()));
+    return detail::scaled(axis, Exact_number(std::ldexp(1.0, -std::ilogb(largest))));
+  };
+  recession = unit(recession);
+  int k = 0;
+  for (int i = 1; i < 3; ++i)
+    if (abs(recession[i]) > abs(recession[k])) k = i;
+  Exact_vector across = {0, 0, 0};
+  across[k] = -recession[(k + 1) % 3];
+  across[(k + 1) % 3] = recession[k];
+  const std::array<Exact_vector, 3> basis = {unit(across), unit(cross(recession, across)),
+                                             detail::scaled(recession, Exact_number(-1))};
+  Rounded_vector parts;
+  for (int i = 0; i < 3; ++i) {
+    Rounded_vector axis;
+    for (int c = 0; c < 3; ++c) axis[c] = basis[i][c].to_double();
+    parts[i] = dot(direction, axis) / dot(axis, axis);
+  }
+  parts[2] = maximum(parts[2], 0.0);
+  const Exact_vector whole = rounded_to_bits(parts, bits);
+  Exact_vector sum = {0, 0, 0};
+  for (int i = 0; i < 3; ++i) sum = detail::sum(sum, detail::scaled(basis[i], whole[i]));
+  return sum;
+}
+
+/// Returns the least (sign < 0) or largest product of m with the corners, exactly.
+inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
+{
+  std::optional<Exact_number> best;
+  for (const std::uint32_t v : hull.corners) {
+    Exact_number at = dot(m, hull.points->exact[v]);
+    if (!best || (sign < 0 ? at < *best : at > *best)) best = std::move(at);
+  }
+  return *best;
+}
+
+/// A requirement for two hulls: they are apart, by more than the root of top / bottom, or by as much.
+struct Gap_rule {
+  Exact_number top = 0, bottom = 1;
+  bool or_equal = false;
+  double rounded = 0;  ///< near the root, in rounded units
+
+  /// True when B is so far beyond A along m.
+  bool operator()(const Hull& a, const Hull& b, const Exact_vector& m) const
+  {
+    const Exact_number gap = extent(b, m, -1) - extent(a, m, 1);
+    if (gap.sign() != CGAL::POSITIVE) return false;
+    const Exact_number square = gap * gap * bottom, least = top * dot(m, m);
+    return or_equal ? square >= least : square > least;
+  }
+};
+
+/// Returns the face of one loop through the corners; its plane is that of the first three.
+inline Exact_face exact_face(const Hull& hull, bool has_plane)
+{
+  Exact_face face;
+  const auto at = [&](std::size_t k) { return hull.points->exact[hull.corners[k % hull.corners.size()]]; };
+  for (std::size_t k = 0; k < hull.corners.size(); ++k) face.edges.push_back({at(k), at(k + 1)});
+  if (has_plane) face.plane = {at(0), at(1), at(2)};
+  return face;
+}
+
+/// Returns a direction m with m . start < min and m . end <= min over the corners of a face, of a face that the segment
+/// from start to end meets at its end alone. Nothing where the hull of the corners goes on to the other side.
+inline std::optional<Exact_vector> direction_of_first_touch(const Exact_face& face, const Exact_vector& start,
+                                                            const Exact_vector& end)
+{
+  const Exact_vector way = difference(end, start);
+  std::vector<Exact_vector> candidates = {way};
+  const auto add = [&](Exact_vector m) {
+    if (dot(m, way).sign() == CGAL::NEGATIVE) m = {-m[0], -m[1], -m[2]};
+    candidates.push_back(std::move(m));
+  };
+  if (face.plane) add(detail::normal_of(*face.plane));
+  for (const auto& [p, q] : face.edges) {
+    const Exact_vector along = difference(q, p);
+    add(difference(detail::scaled(way, dot(along, along)), detail::scaled(along, dot(along, way))));
+    if (face.plane) add(cross(detail::normal_of(*face.plane), along));
+  }
+  for (const Exact_vector& m : candidates) {
+    const Exact_number first = dot(m, start), last = dot(m, end);
+    if (std::ranges::all_of(face.edges, [&](const auto& edge) {
+          const Exact_number at = dot(m, edge[0]);
+          return at > first && at >= last;
+        }))
+      return m;
+  }
+  return std::nullopt;
+}
+
+/// How a ray that meets a face goes through it: the winding number of the face's loops about the crossing, seen along
+/// the ray. Nothing where the ray meets an edge, or runs in the face's plane.
+inline std::optional<int> generic_crossing(const Exact_face& face, const Exact_vector& origin,
+                                           const Exact_vector& direction, const Exact_face& ray)
+{
+  if (!face.plane) return std::nullopt;
+  const Exact_vector normal = detail::normal_of(*face.plane);
+  const CGAL::Sign side = dot(normal, direction).sign();
+  const CGAL::Sign height = dot(normal, difference((*face.plane)[0], origin)).sign();
+  if (side == CGAL::ZERO || height != side) return std::nullopt;
+  for (const auto& [p, q] : face.edges)
+    if (distance_of_faces(ray, Exact_face{{{p, q}, {q, p}}, std::nullopt}).is_zero()) return std::nullopt;
+  const Exact_vector up =
+      side == CGAL::POSITIVE
+          ? direction
+          : Exact_vector{Exact_number(-direction[0]), Exact_number(-direction[1]), Exact_number(-direction[2])};
+  const int winding = detail::winding_about_line(face, origin, up);
+  return side == CGAL::POSITIVE ? winding : -winding;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

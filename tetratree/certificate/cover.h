@@ -1,0 +1,273 @@
+#ifndef TETRACONE_TETRATREE_CERTIFICATE_COVER_H
+#define TETRACONE_TETRATREE_CERTIFICATE_COVER_H
+
+#include "tetracone/kernel/predicate/hull_separation.h"
+#include "tetracone/tetratree/certificate/group_tree.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// A cover as certificates hold it: directions, and a recursion over groups that names one for each pair that is left
+/// closed. The checker of experiments/certificates/ says what it proves.
+struct Cover {
+  std::vector<kernel::Exact_vector> directions;
+  std::string nodes;
+};
+
+/// Searches for separating directions of pairs of groups, and keeps those that are found.
+///
+/// The search is one of its own beside the query's descent: it runs only when a certificate is asked for, so the
+/// descent needs no branch for it, and every direction is tested exactly.
+class Cover_search {
+ public:
+  Cover& cover() { return cover_; }
+
+  /// Adds a direction without a test.
+  std::size_t add(kernel::Exact_vector m)
+  {
+    cover_.directions.push_back(std::move(m));
+    return cover_.directions.size() - 1;
+  }
+
+  /// True when holds(m) of a known direction or of one that is found; its number is appended to the nodes.
+  template <class Holds>
+  bool separates(std::span<const kernel::Hull_pair> pairs, double distance,
+                 const std::optional<kernel::Exact_vector>& recession, const Holds& holds)
+  {
+    const auto found = kernel::direction_between(pairs, distance);
+    if (!found) return false;
+    for (const int bits : {6, 14, 26, 52}) {
+      kernel::Exact_vector m =
+          recession ? kernel::rounded_to_bits(*found, bits, *recession) : kernel::rounded_to_bits(*found, bits);
+      if (!holds(m)) continue;
+      append(add(std::move(m)));
+      return true;
+    }
+    return false;
+  }
+
+  void append(std::size_t direction) { cover_.nodes += std::to_string(direction); }
+  void append(const char* text) { cover_.nodes += text; }
+
+ private:
+  Cover cover_;
+};
+
+/// A placed body in a cover.
+struct Covered_body {
+  Group_tree* groups;
+  kernel::Hull_points points;
+
+  kernel::Hull hull(Box_id box) { return {&points, groups->group(box).corners}; }
+
+  /// Returns the face of a piece: a triangle, a face on a line, or a face that was not triangulated, with its loops.
+  kernel::Exact_face face(Box_id piece)
+  {
+    const Element& element = groups->piece_of(piece);
+    if (!element.is_whole_face()) return kernel::exact_face(hull(piece), true);
+    const auto& covering = groups->tree().model().covering();
+    kernel::Exact_face face;
+    const auto from = covering.from(element.face), to = covering.to(element.face);
+    for (std::size_t k = 0; k < from.size(); ++k) face.edges.push_back({points.exact[from[k]], points.exact[to[k]]});
+    if (const auto basis = covering.plane_basis(element.face))
+      face.plane = {points.exact[(*basis)[0]], points.exact[(*basis)[1]], points.exact[(*basis)[2]]};
+    return face;
+  }
+};
+
+/// A point that two pieces share.
+struct Common_point {
+  std::array<Box_id, 2> piece;
+  kernel::Exact_point point;
+};
+
+/// A face whose hull is not separated, though the face itself is: the face needs triangles.
+struct Face_without_triangles {
+  int body;
+  Index face;
+};
+
+/// Covers the pairs of pieces of two placed bodies, or finds a pair that does not keep the rule.
+class Pair_cover {
+ public:
+  Pair_cover(Covered_body& a, Covered_body& b, kernel::Gap_rule rule) : body_{&a, &b}, rule_(std::move(rule)) {}
+
+  /// Tries this direction first for each pair.
+  void prefer(kernel::Exact_vector m)
+  {
+    search_.add(std::move(m));
+    has_preferred_ = true;
+  }
+
+  /// True when all pairs are covered. Else `common` is a point that two pieces share; nothing where the rule asks for
+  /// more than that they are apart. Throws Face_without_triangles.
+  bool operator()() { return covers({}, {}); }
+
+  Cover& cover() { return search_.cover(); }
+  const std::optional<Common_point>& common() const { return common_; }
+
+ private:
+  bool covers(Box_id a, Box_id b)
+  {
+    const kernel::Hull of_a = body_[0]->hull(a), of_b = body_[1]->hull(b);
+    if (has_preferred_ && rule_(of_a, of_b, search_.cover().directions[0])) {
+      search_.append(std::size_t(0));
+      return true;
+    }
+    const kernel::Hull_pair pair{of_a, of_b};
+    if (search_.separates(std::span(&pair, 1), rule_.rounded, {},
+                          [&](const kernel::Exact_vector& m) { return rule_(of_a, of_b, m); }))
+      return true;
+    const bool is_piece[2] = {body_[0]->groups->is_piece(a), body_[1]->groups->is_piece(b)};
+    if (is_piece[0] && is_piece[1]) return pieces(a, b);
+    const int opened = is_piece[0] || (!is_piece[1] && of_a.corners.size() < of_b.corners.size()) ? 1 : 0;
+    search_.append(opened == 0 ? "[\"a\"" : "[\"b\"");
+    for (const Box_id member : body_[opened]->groups->open(opened == 0 ? a : b)) {
+      search_.append(",");
+      if (!(opened == 0 ? covers(member, b) : covers(a, member))) return false;
+    }
+    search_.append("]");
+    return true;
+  }
+
+  bool pieces(Box_id a, Box_id b)
+  {
+    const kernel::Exact_distance found = kernel::distance_of_faces(body_[0]->face(a), body_[1]->face(b));
+    if (found.is_zero()) {
+      common_ = {{a, b}, found.on_a};
+      return false;
+    }
+    if (rule_(body_[0]->hull(a), body_[1]->hull(b), found.direction)) {
+      search_.append(search_.add(found.direction));
+      return true;
+    }
+    for (int k = 0; k < 2; ++k) {
+      const Element& element = body_[k]->groups->piece_of(k == 0 ? a : b);
+      if (element.is_whole_face() && body_[k]->groups->tree().model().covering().plane_basis(element.face))
+        throw Face_without_triangles{k, element.face};
+    }
+    return false;
+  }
+
+  std::array<Covered_body*, 2> body_;
+  kernel::Gap_rule rule_;
+  bool has_preferred_ = false;
+  Cover_search search_;
+  std::optional<Common_point> common_;
+};
+
+/// What a cover of one body is about: a point, a segment from start to end, or a ray.
+struct Probe {
+  kernel::Exact_vector start;
+  std::optional<kernel::Exact_vector> end;        ///< of a segment
+  std::optional<kernel::Exact_vector> direction;  ///< of a ray
+};
+
+/// Covers the pieces of a placed body against a probe.
+class Probe_cover {
+ public:
+  /// What happened to a piece that the probe meets.
+  enum class Met { is_covered, stops };
+
+  Probe_cover(Covered_body& body, Probe probe) : body_(&body), probe_(std::move(probe))
+  {
+    points_.exact = {probe_.start};
+    if (probe_.end) points_.exact.push_back(*probe_.end);
+    kernel::round_together(points_, body.points);
+    corners_.resize(points_.exact.size());
+    for (std::size_t k = 0; k < corners_.size(); ++k) corners_[k] = std::uint32_t(k);
+    if (probe_.direction) {
+      Hull_points way;
+      way.exact = {*probe_.direction};
+      Hull_points none;
+      kernel::round_together(way, none);
+      recession_ = way.rounded[0];
+    }
+    make_solid_probe();
+  }
+
+  /// Calls meets(piece, face, solid probe) for each piece that the probe meets, until it returns `stops`; it appends a
+  /// node where it returns `is_covered`. True when all pieces are covered. Throws Face_without_triangles.
+  template <class Meets>
+  bool operator()(const Meets& meets)
+  {
+    return covers({}, meets);
+  }
+
+  Cover& cover() { return search_.cover(); }
+  Cover_search& search() { return search_; }
+
+  /// Returns the probe as a face: a ray is cut beyond the body.
+  const kernel::Exact_face& face() const { return face_; }
+
+ private:
+  using Hull_points = kernel::Hull_points;
+  using Exact_vector = kernel::Exact_vector;
+
+  void make_solid_probe()
+  {
+    Exact_vector end = probe_.end.value_or(probe_.start);
+    if (probe_.direction) {
+      const kernel::Exact_number beyond = kernel::extent(body_->hull({}), *probe_.direction, 1);
+      kernel::Exact_number length = 1;
+      const auto at = [&] {
+        return kernel::detail::sum(probe_.start, kernel::detail::scaled(*probe_.direction, length));
+      };
+      while (!(kernel::dot(*probe_.direction, at()) > beyond)) length = length * kernel::Exact_number(16);
+      end = at();
+    }
+    face_.edges = {{probe_.start, end}, {end, probe_.start}};
+  }
+
+  bool holds(const kernel::Hull& group, const Exact_vector& m) const
+  {
+    return kernel::extent(group, m, -1) > kernel::extent(hull(), m, 1);
+  }
+
+  kernel::Hull hull() const { return {&points_, corners_, recession_ ? &*recession_ : nullptr}; }
+
+  template <class Meets>
+  bool covers(Box_id box, const Meets& meets)
+  {
+    const kernel::Hull group = body_->hull(box);
+    const kernel::Hull_pair pair{hull(), group};
+    if (search_.separates(std::span(&pair, 1), 0, probe_.direction,
+                          [&](const Exact_vector& m) { return holds(group, m); }))
+      return true;
+    if (!body_->groups->is_piece(box)) {
+      search_.append("[\"b\"");
+      for (const Box_id member : body_->groups->open(box)) {
+        search_.append(",");
+        if (!covers(member, meets)) return false;
+      }
+      search_.append("]");
+      return true;
+    }
+    const kernel::Exact_face face = body_->face(box);
+    const kernel::Exact_distance found = kernel::distance_of_faces(face_, face);
+    if (!found.is_zero() && holds(group, found.direction)) {
+      search_.append(search_.add(found.direction));
+      return true;
+    }
+    return meets(box, face, !found.is_zero()) == Met::is_covered;
+  }
+
+  Covered_body* body_;
+  Probe probe_;
+  Hull_points points_;
+  std::vector<std::uint32_t> corners_;
+  std::optional<kernel::Rounded_vector> recession_;
+  kernel::Exact_face face_;
+  Cover_search search_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,127 @@
+#ifndef TETRACONE_TETRATREE_CERTIFICATE_GROUP_TREE_H
+#define TETRACONE_TETRATREE_CERTIFICATE_GROUP_TREE_H
+
+#include "tetracone/tetratree/fast/bvh8.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// The pieces of a body and their groups, as certificates name them: the elements and the boxes of its fast tree. It
+/// keeps which groups a proof has opened, for all proofs about the body.
+class Group_tree {
+ public:
+  /// Numbers the pieces by faces. `source_face` tells for each face of the tree the face that it is a part of,
+  /// ascending. Makes all nodes. The tree must outlive this object.
+  Group_tree(const Bvh8& tree, std::span<const Index> source_face) : tree_(&tree), source_face_(source_face)
+  {
+    tree.make_all();
+    order_.resize(tree.element_count());
+    for (std::size_t e = 0; e < order_.size(); ++e) order_[e] = Index(e);
+    std::ranges::stable_sort(order_, {}, [&](Index e) {
+      return std::tuple(source_face[element(e).face], element(e).face, element(e).corner);
+    });
+    number_.resize(order_.size());
+    for (std::size_t n = 0; n < order_.size(); ++n) number_[order_[n]] = Index(n);
+  }
+
+  const Bvh8& tree() const { return *tree_; }
+
+  std::size_t piece_count() const { return order_.size(); }
+  /// Returns the element that is piece n.
+  const Element& piece(std::size_t n) const { return element(order_[n]); }
+
+  struct Group {
+    std::vector<std::uint32_t> corners;  ///< all vertices of its pieces, each once unless it is one piece
+    Index least_face;                    ///< of the source faces
+  };
+
+  const Group& group(Box_id box)
+  {
+    const auto found = groups_.find(box);
+    if (found != groups_.end()) return found->second;
+    Group group{{}, ~Index(0)};
+    const auto of_element = [&](const Element& e) {
+      tree_->for_vertices(e, [&](Index v) { group.corners.push_back(v); });
+      group.least_face = std::min(group.least_face, source_face_[e.face]);
+    };
+    for_each_element(box, [&](Index e) { of_element(element(e)); });
+    if (!is_piece(box)) {
+      std::ranges::sort(group.corners);
+      group.corners.erase(std::unique(group.corners.begin(), group.corners.end()), group.corners.end());
+    }
+    return groups_.emplace(box, std::move(group)).first->second;
+  }
+
+  bool is_piece(Box_id box) const { return tree_->is_leaf(box); }
+  const Element& piece_of(Box_id leaf) const { return tree_->element(leaf); }
+
+  /// Opens a group that is not a piece: returns its members.
+  std::vector<Box_id> open(Box_id box)
+  {
+    opened_.insert(box);
+    std::vector<Box_id> members;
+    const Index child = tree_->child(box);
+    for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) members.emplace_back(child, lane);
+    return members;
+  }
+
+  bool is_opened() const { return !opened_.empty(); }
+
+  /// Appends the groups as JSON: a piece's number, or a list of groups.
+  void write(std::string& text, Box_id box = {}) const
+  {
+    if (is_piece(box)) {
+      text += std::to_string(number_[tree_->node_of(box).first[box.lane()]]);
+      return;
+    }
+    char before = '[';
+    if (!opened_.contains(box)) {
+      for_each_element(box, [&](Index e) {
+        text += std::exchange(before, ',');
+        text += std::to_string(number_[e]);
+      });
+    } else {
+      const Index child = tree_->child(box);
+      for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) {
+        text += std::exchange(before, ',');
+        write(text, {child, lane});
+      }
+    }
+    text += ']';
+  }
+
+ private:
+  const Element& element(Index e) const { return tree_->elements()[e]; }
+
+  /// Calls what(e) for the number of each element below the box.
+  template <class What>
+  void for_each_element(Box_id box, const What& what) const
+  {
+    if (tree_->is_leaf(box)) {
+      what(tree_->node_of(box).first[box.lane()]);
+      return;
+    }
+    const Index child = tree_->child(box);
+    for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) for_each_element({child, lane}, what);
+  }
+
+  const Bvh8* tree_;
+  std::span<const Index> source_face_;
+  std::vector<Index> order_, number_;  // the element of each piece, and the piece of each element
+  std::map<Box_id, Group> groups_;
+  std::set<Box_id> opened_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,122 @@
+#ifndef TETRACONE_TETRATREE_CERTIFICATE_MOTION_COVER_H
+#define TETRACONE_TETRATREE_CERTIFICATE_MOTION_COVER_H
+
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/certificate/cover.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// Covers the pairs of pieces of two bodies that move on lines, over an interval of time. A direction that separates
+/// two groups at both ends of an interval separates them within it.
+class Motion_cover {
+ public:
+  /// Returns both bodies at a time; the result lives as long as the cover. Each time may have a scale of its own.
+  using Bodies_at = std::function<std::array<Covered_body, 2>&(double time)>;
+
+  /// `may_touch_at_end`: the bodies may share points at the end of the interval, not before.
+  Motion_cover(Bodies_at bodies_at, double end, bool may_touch_at_end)
+      : bodies_at_(std::move(bodies_at)), end_(end), may_touch_at_end_(may_touch_at_end)
+  {}
+
+  /// True when all pairs are covered. False where pieces touch, or come so near that no direction was found: they may
+  /// only graze.
+  bool operator()() { return covers({}, {}, 0, end_); }
+
+  Cover& cover() { return search_.cover(); }
+
+ private:
+  bool holds(Box_id a, Box_id b, double time, const kernel::Exact_vector& m) const
+  {
+    auto& body = bodies_at_(time);
+    const auto gap = kernel::extent(body[1].hull(b), m, -1) - kernel::extent(body[0].hull(a), m, 1);
+    return gap.sign() == CGAL::POSITIVE || (may_touch_at_end_ && time == end_ && gap.sign() == CGAL::ZERO);
+  }
+
+  kernel::Hull_pair pair(Box_id a, Box_id b, double time) const
+  {
+    auto& body = bodies_at_(time);
+    return {body[0].hull(a), body[1].hull(b)};
+  }
+
+  bool covers(Box_id a, Box_id b, double from, double to)
+  {
+    const std::array<kernel::Hull_pair, 2> pairs = {pair(a, b, from), pair(a, b, to)};
+    const auto both = [&](const kernel::Exact_vector& m) { return holds(a, b, from, m) && holds(a, b, to, m); };
+    if (search_.separates(pairs, 0, {}, both)) return true;
+    Group_tree *of_a = bodies_at_(0)[0].groups, *of_b = bodies_at_(0)[1].groups;
+    const bool is_piece[2] = {of_a->is_piece(a), of_b->is_piece(b)};
+    if (is_piece[0] && is_piece[1]) {
+      for (const double time : {from, to})
+        for (kernel::Exact_vector& m : candidates(a, b, time))
+          if (both(m)) {
+            search_.append(search_.add(std::move(m)));
+            return true;
+          }
+      return cut(a, b, from, to);
+    }
+    // Groups that are apart at both ends, though not by one direction, need shorter intervals; others smaller groups.
+    if (kernel::direction_between(std::span(pairs).first(1), 0) &&
+        kernel::direction_between(std::span(pairs).last(1), 0))
+      return cut(a, b, from, to);
+    const int opened = is_piece[0] || (!is_piece[1] && pairs[0].a.corners.size() < pairs[0].b.corners.size()) ? 1 : 0;
+    search_.append(opened == 0 ? "[\"a\"" : "[\"b\"");
+    for (const Box_id member : (opened == 0 ? of_a : of_b)->open(opened == 0 ? a : b)) {
+      search_.append(",");
+      if (!(opened == 0 ? covers(member, b, from, to) : covers(a, member, from, to))) return false;
+    }
+    search_.append("]");
+    return true;
+  }
+
+  bool cut(Box_id a, Box_id b, double from, double to)
+  {
+    const double time = from + (to - from) / 2;
+    if (!(from < time && time < to)) return false;
+    search_.append(("[\"t\",\"" + kernel::to_string(kernel::Rational(time)) + "\",").c_str());
+    if (!covers(a, b, from, time)) return false;
+    search_.append(",");
+    if (!covers(a, b, time, to)) return false;
+    search_.append("]");
+    return true;
+  }
+
+  /// Returns directions that may separate two pieces at a time: that of their nearest points, and the normals that part
+  /// triangles which touch.
+  std::vector<kernel::Exact_vector> candidates(Box_id a, Box_id b, double time) const
+  {
+    auto& body = bodies_at_(time);
+    const std::array<kernel::Exact_face, 2> face = {body[0].face(a), body[1].face(b)};
+    std::vector<kernel::Exact_vector> candidates;
+    const auto add = [&](const kernel::Exact_vector& m) {
+      candidates.push_back(m);
+      candidates.push_back(kernel::detail::scaled(m, kernel::Exact_number(-1)));
+    };
+    const kernel::Exact_distance found = kernel::distance_of_faces(face[0], face[1]);
+    if (!found.is_zero()) candidates.push_back(found.direction);
+    for (const kernel::Exact_face& f : face) {
+      if (!f.plane) continue;
+      const kernel::Exact_vector normal = kernel::detail::normal_of(*f.plane);
+      add(normal);
+      for (const auto& [p, q] : f.edges) add(kernel::cross(normal, kernel::difference(q, p)));
+    }
+    for (const auto& [p, q] : face[0].edges)
+      for (const auto& [r, s] : face[1].edges) add(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
+    return candidates;
+  }
+
+  Bodies_at bodies_at_;
+  double end_;
+  bool may_touch_at_end_;
+  Cover_search search_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

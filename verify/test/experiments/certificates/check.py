@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""The checker proves what the program writes, believes no lie, and answers any bytes with a line and a status."""
+import json
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[4]
+FOLDER = SOURCE / "experiments/certificates"
+PROGRAM = os.environ["TETRACONE_PROGRAM"]
+sys.path.insert(0, str(FOLDER))
+import check  # noqa: E402
+import lies  # noqa: E402
+import reading  # noqa: E402
+
+CUBE = ("OFF\n8 6 0\n0 0 0\n0 0 1\n0 1 0\n0 1 1\n1 0 0\n1 0 1\n1 1 0\n1 1 1\n"
+        "4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n4 0 2 6 4\n4 1 5 7 3\n")
+# A square frame of triangles and of faces with a hole, one unit thick; the fifth vertex of a face bends it.
+FRAME = """16 3 0 0
+0 0 0 0\n1 3 0 0\n2 3 3 0\n3 0 3 0\n4 1 1 0\n5 2 1 0\n6 2 2 0\n7 1 2 0
+8 0 0 1\n9 3 0 1\n10 3 3 1\n11 0 3 1\n12 1 1 1\n13 2 1 1\n14 2 2 1\n15 1 2 1
+10 0
+2 1\n4 3 2 1 0\n4 4 5 6 7\n1 1.5 1.5 0
+2 1\n4 8 9 10 11\n4 15 14 13 12\n1 1.5 1.5 1
+1 0\n4 0 1 9 8\n1 0\n4 1 2 10 9\n1 0\n4 2 3 11 10\n1 0\n4 3 0 8 11
+1 0\n4 5 4 12 13\n1 0\n4 6 5 13 14\n1 0\n4 7 6 14 15\n1 0\n4 4 7 15 12
+0\n"""
+# Its face of four corners is not planar: the program replaces it by triangles.
+BENT = "v 0 0 0\nv 2 0 0\nv 2 2 0.5\nv 0 2 0\nv 1 1 3\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n"
+PLACE = "1 0 0 {} 0 1 0 {} 0 0 1 {}\n"
+
+
+class Certificates(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        for name, text in (("cube.off", CUBE), ("frame.poly", FRAME), ("bent.obj", BENT)):
+            (cls.folder / name).write_text(text)
+        cls.certificates = list(cls.made())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    @classmethod
+    def asked(cls, *words):
+        """The certificate of a command, and the lines of its answers."""
+        file = cls.folder / "made.json"
+        run = subprocess.run([PROGRAM, *map(str, words), "--certificate", file], check=True, capture_output=True, text=True)
+        return file.read_text(), run.stdout.split("\n")[:-1]
+
+    @classmethod
+    def made(cls):
+        """Certificates of every kind, with the files that they are about."""
+        poses = cls.folder / "poses"
+        poses.write_text("".join(PLACE.format(*place.split()) for place in (
+            "5 0 0", "1.25 1.25 0.125", "3 1 0", "1 1 -0.25", "0.875 1 0", "-20 7 1/3", "1.5 1.5 -4", "0 0 9", "2 2 1.0000000000000002")) +
+            "3/5 -4/5 0 4 4/5 3/5 0 1/3 0 0 1 0.5\n0.5 0 0 1.25 0 0.5 0 1.25 0 0 0.5 0.25\n0.25 0 0 0.25 0 0.25 0 0.25 0 0 0.25 0.25\n20 0 0 -5 0 20 0 -5 0 0 20 -5\n")
+        points = cls.folder / "points"
+        points.write_text("0.5 0.5 0.5\n1.5 1.5 0.5\n1 1 0\n9 9 9\n1/3 1/3 1/3\n0 0 0\n3 3 1/7\n0.1 2.9999999999999996 0.5\n")
+        rays = cls.folder / "rays"
+        rays.write_text("-1 0.5 0.5 1 0 0\n1.5 1.5 -1 0 0 1\n0.5 0.5 -3 0 0 0.25\n-1 -1 0 1 1 0\n0 0 0 1 0 0\n5 5 5 1 2 3\n-1 0 0 2 0 0\n-3 1.25 0.3 3 1e-30 -1e-3\n")
+        bodies = {name: cls.folder / name for name in ("cube.off", "frame.poly", "bent.obj")}
+        for a, b in (("frame.poly", "cube.off"), ("bent.obj", "frame.poly"), ("cube.off", "bent.obj")):
+            files = [bodies[a], bodies[b]]
+            for words in (["collide"], ["collide", "--question", "surface"], ["distance"], ["distance", "--question", "surface"],
+                          ["distance", "--within", "1.5"], ["distance", "--within", "1/3", "--question", "surface"]):
+                yield (*cls.asked(words[0], *files, "--pose-b", poses, *words[1:]), files, "pose_b", poses)
+        for name, file in bodies.items():
+            yield (*cls.asked("inside", file, points), [file], "point", points)
+            yield (*cls.asked("ray", file, rays), [file], "ray", rays)
+            yield (*cls.asked("ray", file, rays, "--end", "1.75"), [file], "ray", rays)
+
+    def test_what_the_program_writes_is_proved(self):
+        for text, said, files, key, given in self.certificates:
+            with self.subTest(text=text[:300]):
+                proved = list(check.prove(text, files, [(key, given)]))
+                self.assertEqual(len(proved), len(said))
+                for answer, line in zip(json.loads(text)["answers"], said):
+                    value = answer["answer"]
+                    if answer["ask"] == "collide":
+                        self.assertEqual(int(value != "apart"), int(line))
+                    elif answer["ask"] == "distance":
+                        self.assertAlmostEqual(float(reading.exact(value)) ** 0.5, float(line))
+                    elif answer["ask"] in ("inside", "within"):
+                        self.assertEqual(value, int(line))
+                    else:
+                        self.assertEqual(value["face"] if value else "-", int(line.split()[0]) if line != "-" else "-")
+
+    def test_a_model_in_the_certificate_needs_no_file(self):
+        text, _ = self.asked("distance", self.folder / "cube.off", self.folder / "bent.obj", "--merge")
+        self.assertIn("vertices", json.loads(text)["bodies"][0])
+        self.assertEqual(len(list(check.prove(text))), 1)
+
+    def test_it_is_about_the_files_and_numbers_that_are_named(self):
+        text, _, files, key, given = self.certificates[0]
+        self.assertTrue(lies.believed(text, files))
+        self.assertFalse(lies.believed(text, files[::-1]))
+        self.assertFalse(lies.believed(text))
+        given.write_text(given.read_text().replace("1.25", "1.26"))
+        with self.assertRaises(reading.Refused):
+            list(check.prove(text, files, [(key, given)]))
+
+    def test_no_lie_is_believed(self):
+        random.seed(48)
+        count = 0
+        for text, _, files, _, _ in self.certificates:
+            certificate = json.loads(text)
+            for kind in (lies.spoiled_proofs, lies.false_claims):
+                told = [lie for lie in kind(certificate) if random.random() < 0.02]
+                for name, spoiled in random.sample(told, min(len(told), 30)):
+                    count += 1
+                    self.assertFalse(lies.believed(json.dumps(spoiled), files), name)
+        self.assertGreater(count, 500)
+
+    def test_bytes_that_are_no_certificate_get_a_line(self):
+        random.seed(49)
+        text, _, files, _, _ = self.certificates[0]
+        for _ in range(400):
+            spoiled = bytearray(text.encode())
+            for _ in range(random.choice((1, 1, 2, 50))):
+                first = random.randrange(len(spoiled))
+                spoiled[first:first + random.choice((0, 1, 1, 30))] = random.choice((b"", b"9", b"[", b'"', b"\xff", b"null", b"{}", b"-1", b"1e9"))
+            try:
+                list(check.prove(bytes(spoiled), files))
+            except (check.Refused, *check.BAD):
+                pass
+
+    def test_status_and_line(self):
+        text, _, files, _, _ = self.certificates[0]
+        file = self.folder / "certificate.json"
+        for content, status in ((text, 0), (text.replace('"answer":"apart"', '"answer":"surfaces"', 1), 1), ("{", 2), ("[" * 100000, 2),
+                                ('{"certificate":"tetracone 2","bodies":[],"answers":[]}', 2), ("\0", 2), ("", 2)):
+            file.write_text(content)
+            run = subprocess.run([sys.executable, "-B", FOLDER / "check.py", file, *files], capture_output=True, text=True)
+            self.assertEqual(run.returncode, status, run.stderr)
+            self.assertEqual(run.stderr.count("\n"), int(status > 0), run.stderr)
+        run = subprocess.run([sys.executable, "-B", FOLDER / "check.py", "-"], input="{}\n[]\n", capture_output=True, text=True)
+        self.assertEqual([line.split(":")[0] for line in run.stdout.splitlines()], ["bad input"] * 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
