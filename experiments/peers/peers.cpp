@@ -186,7 +186,7 @@ verify::Object_subject subject(const std::string& program, const std::string& na
                                verify::Knows knows, std::chrono::milliseconds limit)
 {
   return {name, false, note, std::nullopt, [=] { return std::make_unique<Running_peer>(program, name, knows, limit); },
-          "",   knows};
+          "",   "",    "",   knows};
 }
 
 }  // namespace

@@ -128,7 +128,8 @@ Solid_exits exits_by_events(const Object_case& c, const Exact_vector& direction)
       if (rise == 0) continue;
       const Rational s = dot(normal, difference(f.first, e.first)) / rise;
       const Exact_vector shift = times(s, d);
-      if (s > 0 && meet(segment_element({sum(e.first, shift), sum(e.second, shift)}), segment_element(f))) events.insert(s);
+      if (s > 0 && meet(segment_element({sum(e.first, shift), sum(e.second, shift)}), segment_element(f)))
+        events.insert(s);
     }
   Solid_exits exits;
   // The set of shifts at which interiors share a point is open: where it ends, it has the event itself no more.
