@@ -11,10 +11,10 @@ REGIMES = {"metres": "metres", "ladder": "ladder", "lego": "lego", "clear": "cle
            "sequences": "sliding", "nested": "nested"}
 OURS = ("adaptive tree", "double tree", "float tree")
 STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; max-width: 1180px; margin: 2em auto; padding: 0 1em; color: #222 }
+body { font: 15px/1.45 system-ui, sans-serif; max-width: 1240px; margin: 2em auto; padding: 0 1em; color: #222 }
 table { border-collapse: collapse; margin: 1em 0; font-size: 13px } th, td { padding: 2px 7px; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap }
 th { font-weight: 600; vertical-align: bottom } td:first-child, th:first-child { text-align: left } .group td { font-weight: 600; background: #f2f2f2; text-align: left }
-.cell { border-left: 2px solid #fff } .none { color: #bbb } .note { color: #555; max-width: 75em } .bad { background: #e8a090 } .ours { font-style: italic }
+.cell { border-left: 2px solid #fff } .strip { font-size: 12px } .strip td:first-child { min-width: 24em } .strip th { white-space: normal } .none { color: #bbb } .note { color: #555; max-width: 75em } .bad { background: #e8a090 } .ours { font-style: italic }
 .bar { display: inline-block; height: 9px; background: #7a9cc0 } .text { text-align: left; white-space: normal } figure { margin: 1em 0 }
 """
 
@@ -66,7 +66,7 @@ def name_of(field, subject):
 def cell(missed, invented, failed, n):
     if n == 0:
         return '<td class="none">.</td>'
-    left, right = shade(missed / n, "c0392b"), shade(invented / n, "2c5f9e")
+    left, right = shade(missed / n, "e07b6c"), shade(invented / n, "7fa8d9")
     title = f"{missed} missed, {invented} invented, {failed} failed of {n}: wrong {percent(missed + invented, n)}"
     failures = f"+{failed}f" if failed else ""
     return (f'<td class="cell" title="{title}" style="background: linear-gradient(90deg, {left} 50%, {right} 50%)">'
@@ -81,10 +81,11 @@ def heat_map(field, question):
     regimes = [k for k in REGIMES if any(r["regime"] == k for r in field.of("regime"))]
     head = "".join(f"<th>{REGIMES[k]}</th>" for k in regimes)
     names = {"meshes": "asked of all<br>mesh engines", "all": "asked of<br>all engines"}
-    head += "<th>wrong of all, 95 %</th><th>coverage</th>" + "".join(f"<th>{names[k]}</th>" for k in kinds) + "<th>touching<br>apart</th><th>flush<br>apart</th>"
+    apart = [(title, table) for title, table in (("touching<br>apart", touching), ("flush<br>apart", flush)) if table]
+    head += "<th>wrong of all, 95 %</th><th>coverage</th>" + "".join(f"<th>{t}</th>" for t in [names[k] for k in kinds] + [title for title, _ in apart])
     body = ""
     for group, subjects in field.engines(question):
-        body += f'<tr class="group"><td colspan="{5 + len(regimes) + len(kinds)}">{GROUPS[group]}</td></tr>' if subjects else ""
+        body += f'<tr class="group"><td colspan="{3 + len(regimes) + len(kinds) + len(apart)}">{GROUPS[group]}</td></tr>' if subjects else ""
         for subject in subjects:
             rows = {r["regime"]: r for r in field.of("regime", subject=subject, question=question)}
             body += f"<tr><td>{name_of(field, subject)}</td>"
@@ -97,7 +98,7 @@ def heat_map(field, question):
             for kind in kinds:
                 r = common.get((subject, kind))
                 body += cell(number(r, "missed"), number(r, "invented"), number(r, "failed"), number(r, "n")) if r else cell(0, 0, 0, 0)
-            for table in (touching, flush):
+            for _, table in apart:
                 r = table.get(subject)
                 body += f'<td>{r["missed"]}<small> /{r["n"]}</small></td>' if r and int(r["n"]) else '<td class="none">.</td>'
             body += "</tr>\n"
@@ -125,7 +126,7 @@ def ladder(field):
             out.append(f'<text x="{x[s]:.1f}" y="{height - 22}" text-anchor="middle">2^{s} m</text>')
         lines = {}
         for r in field.of("ladder", regime=what):
-            if r["value"] != "":
+            if r["value"] != "" and field.group[r["subject"]] != "rounded":
                 lines.setdefault(r["subject"], {}).setdefault(int(r["size"]), []).append(int(r["value"]))
         for subject in sorted(lines):
             colour.setdefault(subject, colours[len(colour) % len(colours)])
@@ -138,9 +139,9 @@ def ladder(field):
     keys = "".join(f'<g transform="translate({60 + 200 * (k % 5)} {height + 16 * (k // 5)})"><rect width="12" height="4" y="-4" fill="{c}"/>'
                    f'<text x="17">{html.escape(s)}</text></g>' for k, (s, c) in enumerate(colour.items()))
     total = height + 16 * (len(colour) // 5 + 1)
-    right = [s for s in sorted({r["subject"] for r in field.of("ladder")}) if s not in colour]
+    right = [s for s in sorted({r["subject"] for r in field.of("ladder")}) if s not in colour and field.group[s] != "rounded"]
     return (f'<figure><svg viewBox="0 0 {2 * width} {total}" font-size="11" width="100%">{"".join(parts)}{keys}</svg></figure>'
-            f'<p class="note">Never wrong on the ladder, to a gap or overlap of 2^-48 of the size: {html.escape(", ".join(right)) or "none"}.</p>')
+            f'<p class="note">Never wrong on the ladder at any gap or overlap, down to 2^-48 of the size: {html.escape(", ".join(right)) or "none"}.</p>')
 
 
 def rounding(field):
@@ -157,7 +158,7 @@ def rounding(field):
         for subject, what in kinds:
             rows = [r for r in field.of("grid", subject=subject, regime=what) if low <= int(r["size"]) <= high]
             n, bad = sum(number(r, "n") for r in rows), sum(number(r, "invented", "missed") for r in rows)
-            colour = shade(bad / n if n else 0, "2c5f9e" if what == "gap" else "c0392b")
+            colour = shade(bad / n if n else 0, "7fa8d9" if what == "gap" else "e07b6c")
             body += f'<td style="background: {colour}" title="{percent(bad, n)}">{bad}<small> /{n}</small></td>' if n else '<td class="none">.</td>'
         body += "</tr>"
     head = "".join(f"<th>{s} rounded:<br>{'gap called contact' if w == 'gap' else 'overlap missed'}</th>" for s, w in kinds)
@@ -181,7 +182,7 @@ def strip(field):
                 value = said.get((s, name, question))
                 body += '<td class="none">.</td>' if value is None else f'<td class="{"bad" if value != truth else ""}">{value}</td>'
             body += "</tr>\n"
-    return f"<table><tr><th>case</th><th>question</th><th>truth</th>{head}</tr>\n{body}</table>"
+    return f"<table class='strip'><tr><th>case</th><th>question</th><th>truth</th>{head}</tr>\n{body}</table>"
 
 
 def speeds(field):
@@ -211,6 +212,7 @@ def engines(field):
 def write(table, page):
     field = Field(table)
     made = field.rows[0]
+    engines_asked = sum(group != "rounded" for group in field.group.values())
     asked, most = sum(number(r, "n") for r in field.of("regime")), {}
     for r in field.of("regime"):
         most[r["regime"]] = max(most.get(r["regime"], 0), number(r, "n", "declined"))
@@ -219,7 +221,7 @@ def write(table, page):
     text = f"""<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>The field on trial</title><style>{STYLE}</style></head><body>
 <h1>The field on trial</h1>
-<p class="note">{len(field.group)} engines and kernels gave {asked:,} answers to questions whose exact answer two truths in rational arithmetic know. Each engine runs with its
+<p class="note">{engines_asked} engines and kernels, and {len(field.group) - engines_asked} roundings, gave {asked:,} answers to questions whose exact answer is known. Each engine runs with its
 defaults, and is asked only what it takes. Every number is from <code>field.csv</code>: {html.escape(", ".join(made[k] for k in ("version", "compiler", "processor") if made[k]))}, seed {made["seed"]}, {size}, node
 {html.escape(made["node"])}. <code>./reproduce field</code> makes it again.</p>
 <h2>Wrong answers: surfaces</h2>
@@ -233,7 +235,7 @@ do by design; <i>flush apart</i>: likewise flush cubes.</p>
 {heat_map(field, "solid")}
 <h2>The ladder</h2>
 <p class="note">How near may two equal cubes be before an engine errs? The grey band is half an ulp of float at the size, which a float engine cannot avoid. Engines for games have
-absolute tolerances for bodies of about a metre: read the middle of the figure for those. Each rung is one case, flush, shifted or turned.</p>
+absolute tolerances for bodies of about a metre: read the middle of the figure for those. The cubes of a rung are aligned, shifted sideways or turned.</p>
 {ladder(field)}
 <h2>What rounding costs</h2>
 <p class="note">Many libraries round to a grid first, and are exact from there on. These subjects round the placed vertices, or those of the bodies, to 2^-10 .. 2^-40 of the size on the
@@ -244,7 +246,7 @@ ladder, and then decide without error: what is wrong is the rounding's.</p>
 Calling a flush or single-corner contact apart is right for an engine of open sets.</p>
 {strip(field)}
 <h2>Time</h2>
-<p class="note">Self-reported: an engine's own clock around its own query, without the pipe and without making its bodies, unless it makes them at each query (Rapier's shapes, GTS,
+<p class="note">{"" if field.of("speed") else "Not measured: the machine was busy. "}Self-reported: an engine's own clock around its own query, without the pipe and without making its bodies, unless it makes them at each query (Rapier's shapes, GTS,
 SFCGAL). The builds of npm are WebAssembly, not the native ones. The machine was not idle: read orders of magnitude. The number that collide is the answers' verdict.</p>
 {speeds(field)}
 <h2>Engines</h2>

@@ -28,7 +28,6 @@ import field_page  # noqa: E402
 
 # Name in the campaign, group, command; {npm} and {bin} are folders under --out. The groups are the page's.
 PROGRAMS = [
-    ("SFCGAL", "exact", "{bin}/sfcgal"),
     ("GTS", "double", "{bin}/gts"),
     ("VTK", "double", f"{HERE}/vtk_collision.py"),
     ("Simbody", "double", "{bin}/simbody"),
@@ -41,6 +40,7 @@ PROGRAMS = [
     ("Jolt-hull", "convex", "node {npm}/jolt.mjs"),
     ("Havok-hull", "convex", "node {npm}/havok.mjs"),
     ("MuJoCo-hull", "convex", "node {npm}/mujoco.mjs"),
+    ("SFCGAL", "exact", "{bin}/sfcgal"),
 ]
 # Exact after rounding to a grid: asked of the ladder, lego and metres alone, since they compare all edges with all faces.
 ROUNDED = [(f"{what}-{bits}", "rounded", f"{HERE}/rounded.py {bits}" + (" vertices" if what == "vertices" else ""))
@@ -392,7 +392,7 @@ def campaign(options, program, found, out, rows):
 
 def trial(options, found, out, rows):
     """Asks the field's own cases, and the reproductions; returns what made the rows."""
-    subjects = [(name, group, functools.partial(Talk, command)) for name, group, command in found + ROUNDED]
+    subjects = [(name, group, functools.partial(Talk, command)) for name, group, command in ROUNDED + found]
     rows += field_trial.rows(subjects, out, options.cases, options.limit)
     strip(found, None, out, rows)
     for name, group, command in found + ROUNDED:

@@ -156,6 +156,7 @@ def answers(talk_with, name, out, count, seconds):
                 for model in (0, 1):
                     talk.tell({"forget": model})
             file.write(json.dumps(said) + "\n")
+            file.flush()  # a run that is killed goes on from here
             known.append(said)
     if talk:
         talk.close()
