@@ -108,7 +108,7 @@ std::string text_of(const std::vector<Row>& rows, const Penetration_options& opt
 
 /// Asks question(query, pose of A, pose of B) for all poses, and writes the answers.
 template <class Question>
-void run(const Penetration_options& options, const Question& question)
+void answer_all(const Penetration_options& options, const Question& question)
 {
   if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
   if (options.time && options.csv.empty() && !options.json)
@@ -164,7 +164,7 @@ void add_exit_command(CLI::App& app)
       "sliding costs nothing. Both are 0 where the interiors share no point at the start.\n"
       "Example: tetracone exit peg.off block.off --along 0 0 1 --pose-a poses.txt --exact");
   command->callback([options] {
-    run(*options, [&](Query& query, const auto& a, const auto& b) { return query.exits(a, b, options->along); });
+    answer_all(*options, [&](Query& query, const auto& a, const auto& b) { return query.exits(a, b, options->along); });
   });
 }
 
@@ -182,7 +182,8 @@ void add_depth_command(CLI::App& app)
       "point at the start.\n"
       "Example: tetracone depth cat.off house.poly --pose-b poses.txt --relative 1e-3");
   command->callback([options] {
-    run(*options, [&](Query& query, const auto& a, const auto& b) { return query.depth(a, b, options->limits); });
+    answer_all(*options,
+               [&](Query& query, const auto& a, const auto& b) { return query.depth(a, b, options->limits); });
   });
 }
 

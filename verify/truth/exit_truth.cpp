@@ -16,7 +16,7 @@ namespace {
 using kernel::Rational;
 using namespace object_family;
 
-using Segment = std::pair<Exact_vector, Exact_vector>;
+using Ends = std::pair<Exact_vector, Exact_vector>;
 
 Placed_element moved_by(const Placed_element& element, const Exact_vector& shift)
 {
@@ -25,15 +25,15 @@ Placed_element moved_by(const Placed_element& element, const Exact_vector& shift
   return {element.dimension, element.winding, corner};
 }
 
-Placed_element point_element(const Exact_vector& x) { return {0, 0, {x, x, x}}; }
-Placed_element segment_element(const Segment& s) { return {1, 0, {s.first, s.second, s.first}}; }
+Placed_element as_point(const Exact_vector& x) { return {0, 0, {x, x, x}}; }
+Placed_element as_segment(const Ends& s) { return {1, 0, {s.first, s.second, s.first}}; }
 
 // The triangles of a placed surface, their corners and their edges.
 struct Surface {
   std::vector<Placed_element> elements;
   std::vector<const Placed_element*> triangles;
   std::set<Exact_vector> corners;
-  std::set<Segment> edges;
+  std::set<Ends> edges;
 
   Surface(const Placed_body& placed, const mpz_class& scale) : elements(placed_elements(placed, scale))
   {
@@ -77,7 +77,7 @@ void add_events(const Exact_vector& x, const Exact_vector& d, const Surface& sur
     const Rational rise = dot(triangle->normal, d);
     if (rise == 0) continue;
     const Rational s = dot(triangle->normal, difference(triangle->corner[0], x)) / rise;
-    if (sgn(s) * sign > 0 && meet(point_element(sum(x, s, d)), *triangle)) events.insert(abs(s));
+    if (sgn(s) * sign > 0 && meet(as_point(sum(x, s, d)), *triangle)) events.insert(abs(s));
   }
 }
 
@@ -94,8 +94,8 @@ std::vector<Width> widths(const Object_case& c)
   std::vector<Exact_vector> normals;
   for (const Surface* surface : {&both.a, &both.b})
     for (const Placed_element* triangle : surface->triangles) normals.push_back(triangle->normal);
-  for (const Segment& e : both.a.edges)
-    for (const Segment& f : both.b.edges)
+  for (const Ends& e : both.a.edges)
+    for (const Ends& f : both.b.edges)
       normals.push_back(cross(difference(e.second, e.first), difference(f.second, f.first)));
   std::vector<Width> widths;
   for (const Exact_vector& n : normals) {
@@ -121,15 +121,14 @@ Solid_exits exits_by_events(const Object_case& c, const Exact_vector& direction)
   std::set<Rational> events;
   for (const Exact_vector& x : both.a.corners) add_events(x, d, both.b, 1, events);
   for (const Exact_vector& x : both.b.corners) add_events(x, d, both.a, -1, events);
-  for (const Segment& e : both.a.edges)
-    for (const Segment& f : both.b.edges) {
+  for (const Ends& e : both.a.edges)
+    for (const Ends& f : both.b.edges) {
       const Exact_vector normal = cross(difference(e.second, e.first), difference(f.second, f.first));
       const Rational rise = dot(normal, d);
       if (rise == 0) continue;
       const Rational s = dot(normal, difference(f.first, e.first)) / rise;
       const Exact_vector shift = times(s, d);
-      if (s > 0 && meet(segment_element({sum(e.first, shift), sum(e.second, shift)}), segment_element(f)))
-        events.insert(s);
+      if (s > 0 && meet(as_segment({sum(e.first, shift), sum(e.second, shift)}), as_segment(f))) events.insert(s);
     }
   Solid_exits exits;
   // The set of shifts at which interiors share a point is open: where it ends, it has the event itself no more.
