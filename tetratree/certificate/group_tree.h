@@ -65,15 +65,17 @@ class Group_tree {
   bool is_piece(Box_id box) const { return tree_->is_leaf(box); }
   const Element& piece_of(Box_id leaf) const { return tree_->element(leaf); }
 
-  /// Opens a group that is not a piece: returns its members.
-  std::vector<Box_id> open(Box_id box)
+  /// Returns the members of a group that is not a piece.
+  std::vector<Box_id> members(Box_id box) const
   {
-    opened_.insert(box);
     std::vector<Box_id> members;
     const Index child = tree_->child(box);
     for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) members.emplace_back(child, lane);
     return members;
   }
+
+  /// Writes the members of this group, too, since a cover names them. Requires that those above it are written.
+  void open(Box_id box) { opened_.insert(box); }
 
   bool is_opened() const { return !opened_.empty(); }
 

@@ -133,6 +133,7 @@ void add_cover(std::string& text, const tetratree::Cover& cover)
   add_list(text, cover.directions, [](const Exact_vector& m) { return strings_of(in_lowest_terms(rational(m))); });
   add_key(text, "cover");
   text += cover.nodes;
+  for (const auto& [groups, box] : cover.opened) groups->open(box);
 }
 
 void add_witness(std::string& text, const std::array<Rational_point, 2>& points, const std::array<Index, 2>& faces)
