@@ -52,7 +52,7 @@ class Group_tree {
     Group group{{}, ~Index(0)};
     const auto of_element = [&](const Element& e) {
       tree_->for_vertices(e, [&](Index v) { group.corners.push_back(v); });
-      group.least_face = std::min(group.least_face, source_face_[e.face]);
+      group.least_face = kernel::minimum(group.least_face, source_face_[e.face]);
     };
     for_each_element(box, [&](Index e) { of_element(element(e)); });
     if (!is_piece(box)) {

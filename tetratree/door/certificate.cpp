@@ -292,7 +292,8 @@ struct Certificate::Data {
     fail("no ray from a point goes through faces alone");
   }
 
-  /// Returns the winding number of a point in body `holder` as a row, and the number. `of` is the point's key and value.
+  /// Returns the winding number of a point in body `holder` as a row, and the number. `of` has the point's key and
+  /// value.
   std::pair<std::string, int> winding_row(Placed_pair& pair, int holder, const std::string& of, const Exact_vector& x)
   {
     std::string row = "{";

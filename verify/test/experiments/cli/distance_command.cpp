@@ -36,8 +36,7 @@ struct Files {
 int checked(const Files& files, const Json& certificate)
 {
   const Temporary_file file("certificate.json", certificate.dump());
-  const std::string command = "/usr/bin/python3 -B '" TETRACONE_SOURCE_DIR
-                              "/experiments/certificates/check.py' " +
+  const std::string command = "/usr/bin/python3 -B '" TETRACONE_SOURCE_DIR "/experiments/certificates/check.py' " +
                               in_quotes(file.path()) + " " + in_quotes(files.cube.path()) + " " +
                               in_quotes(files.cube.path()) + " >/dev/null 2>&1";
   return std::system(command.c_str());
@@ -138,9 +137,9 @@ BOOST_AUTO_TEST_CASE(an_open_surface_is_told_the_question_that_it_has)
 BOOST_AUTO_TEST_CASE(bad_use_is_refused)
 {
   const Files files;
-  for (const char* words :
-       {"--within nan", "--within x", "--kernel epick", "--question both", "--time", "--repeat 0", "--exact --within 1",
-        "--exact --kernel double", "--certificate /tmp/x --kernel double", "--points --exact", "--points --within 1", "--points --kernel double"})
+  for (const char* words : {"--within nan", "--within x", "--kernel epick", "--question both", "--time", "--repeat 0",
+                            "--exact --within 1", "--exact --kernel double", "--certificate /tmp/x --kernel double",
+                            "--points --exact", "--points --within 1", "--points --kernel double"})
     check_refused(files.words() + " " + words, "expected");
 }
 
