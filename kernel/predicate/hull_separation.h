@@ -79,7 +79,7 @@ inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair
     for (double& x : sum) x /= double(hull.corners.size());
     return sum;
   };
-  // Of the hull of all B - A, the point nearest to the origin on the segment to the last support.
+  // A point of the hull of all B - A: the nearest to the origin on the segment to the last support.
   Rounded_vector z{};
   for (const Hull_pair& pair : pairs) {
     const Rounded_vector way = difference(middle(pair.b), middle(pair.a));

@@ -19,6 +19,7 @@ namespace tetracone::tetratree {
 struct Cover {
   std::vector<kernel::Exact_vector> directions;
   std::string nodes;
+  std::vector<std::pair<Group_tree*, Box_id>> opened;  ///< the groups whose members the nodes name
 };
 
 /// Searches for separating directions of pairs of groups, and keeps those that are found.
@@ -51,6 +52,13 @@ class Cover_search {
       return true;
     }
     return false;
+  }
+
+  /// Returns the members of a group, which the nodes name next.
+  std::vector<Box_id> open(Group_tree& groups, Box_id box)
+  {
+    cover_.opened.emplace_back(&groups, box);
+    return groups.members(box);
   }
 
   void append(std::size_t direction) { cover_.nodes += std::to_string(direction); }
@@ -129,7 +137,7 @@ class Pair_cover {
     if (is_piece[0] && is_piece[1]) return pieces(a, b);
     const int opened = is_piece[0] || (!is_piece[1] && of_a.corners.size() < of_b.corners.size()) ? 1 : 0;
     search_.append(opened == 0 ? "[\"a\"" : "[\"b\"");
-    for (const Box_id member : body_[opened]->groups->open(opened == 0 ? a : b)) {
+    for (const Box_id member : search_.open(*body_[opened]->groups, opened == 0 ? a : b)) {
       search_.append(",");
       if (!(opened == 0 ? covers(member, b) : covers(a, member))) return false;
     }
@@ -243,7 +251,7 @@ class Probe_cover {
       return true;
     if (!body_->groups->is_piece(box)) {
       search_.append("[\"b\"");
-      for (const Box_id member : body_->groups->open(box)) {
+      for (const Box_id member : search_.open(*body_->groups, box)) {
         search_.append(",");
         if (!covers(member, meets)) return false;
       }

@@ -52,7 +52,7 @@ class Group_tree {
     Group group{{}, ~Index(0)};
     const auto of_element = [&](const Element& e) {
       tree_->for_vertices(e, [&](Index v) { group.corners.push_back(v); });
-      group.least_face = std::min(group.least_face, source_face_[e.face]);
+      group.least_face = kernel::minimum(group.least_face, source_face_[e.face]);
     };
     for_each_element(box, [&](Index e) { of_element(element(e)); });
     if (!is_piece(box)) {
@@ -65,15 +65,17 @@ class Group_tree {
   bool is_piece(Box_id box) const { return tree_->is_leaf(box); }
   const Element& piece_of(Box_id leaf) const { return tree_->element(leaf); }
 
-  /// Opens a group that is not a piece: returns its members.
-  std::vector<Box_id> open(Box_id box)
+  /// Returns the members of a group that is not a piece.
+  std::vector<Box_id> members(Box_id box) const
   {
-    opened_.insert(box);
     std::vector<Box_id> members;
     const Index child = tree_->child(box);
     for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) members.emplace_back(child, lane);
     return members;
   }
+
+  /// Writes the members of this group, too, since a cover names them. Requires that those above it are written.
+  void open(Box_id box) { opened_.insert(box); }
 
   bool is_opened() const { return !opened_.empty(); }
 

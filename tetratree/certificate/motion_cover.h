@@ -67,7 +67,7 @@ class Motion_cover {
       return cut(a, b, from, to);
     const int opened = is_piece[0] || (!is_piece[1] && pairs[0].a.corners.size() < pairs[0].b.corners.size()) ? 1 : 0;
     search_.append(opened == 0 ? "[\"a\"" : "[\"b\"");
-    for (const Box_id member : (opened == 0 ? of_a : of_b)->open(opened == 0 ? a : b)) {
+    for (const Box_id member : search_.open(opened == 0 ? *of_a : *of_b, opened == 0 ? a : b)) {
       search_.append(",");
       if (!(opened == 0 ? covers(member, b, from, to) : covers(a, member, from, to))) return false;
     }

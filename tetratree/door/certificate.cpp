@@ -133,6 +133,7 @@ void add_cover(std::string& text, const tetratree::Cover& cover)
   add_list(text, cover.directions, [](const Exact_vector& m) { return strings_of(in_lowest_terms(rational(m))); });
   add_key(text, "cover");
   text += cover.nodes;
+  for (const auto& [groups, box] : cover.opened) groups->open(box);
 }
 
 void add_witness(std::string& text, const std::array<Rational_point, 2>& points, const std::array<Index, 2>& faces)
@@ -291,7 +292,8 @@ struct Certificate::Data {
     fail("no ray from a point goes through faces alone");
   }
 
-  /// Returns the winding number of a point in body `holder` as a row, and the number. `of` is the point's key and value.
+  /// Returns the winding number of a point in body `holder` as a row, and the number. `of` has the point's key and
+  /// value.
   std::pair<std::string, int> winding_row(Placed_pair& pair, int holder, const std::string& of, const Exact_vector& x)
   {
     std::string row = "{";

@@ -32,13 +32,13 @@ struct Files {
   }
 };
 
-/// Returns the checker's exit status for a certificate.
-int checked(const Json& certificate)
+/// Returns the checker's exit status for a certificate about the files.
+int checked(const Files& files, const Json& certificate)
 {
   const Temporary_file file("certificate.json", certificate.dump());
-  const std::string command = "/usr/bin/python3 -B '" TETRACONE_SOURCE_DIR
-                              "/experiments/support/check_certificate.py' " +
-                              in_quotes(file.path()) + " >/dev/null 2>&1";
+  const std::string command = "/usr/bin/python3 -B '" TETRACONE_SOURCE_DIR "/experiments/certificates/check.py' " +
+                              in_quotes(file.path()) + " " + in_quotes(files.cube.path()) + " " +
+                              in_quotes(files.cube.path()) + " >/dev/null 2>&1";
   return std::system(command.c_str());
 }
 
@@ -137,9 +137,9 @@ BOOST_AUTO_TEST_CASE(an_open_surface_is_told_the_question_that_it_has)
 BOOST_AUTO_TEST_CASE(bad_use_is_refused)
 {
   const Files files;
-  for (const char* words :
-       {"--within nan", "--within x", "--kernel epick", "--question both", "--time", "--repeat 0", "--exact --within 1",
-        "--exact --kernel double", "--points --exact", "--points --within 1", "--points --kernel double"})
+  for (const char* words : {"--within nan", "--within x", "--kernel epick", "--question both", "--time", "--repeat 0",
+                            "--exact --within 1", "--exact --kernel double", "--certificate /tmp/x --kernel double",
+                            "--points --exact", "--points --within 1", "--points --kernel double"})
     check_refused(files.words() + " " + words, "expected");
 }
 
@@ -148,47 +148,29 @@ BOOST_AUTO_TEST_CASE(a_certificate_is_proved_and_a_spoiled_one_refused)
   const Files files;
   for (const std::string question : {"surface", "solid"}) {
     const Json good = certificate_of(files, question);
-    BOOST_TEST(checked(good) == 0);
+    BOOST_TEST(checked(files, good) == 0);
     const std::vector<std::pair<std::string, std::function<void(Json&)>>> ways = {
-        {"square", [](Json& c) { c["answers"][0]["squared_distance"] = "29/15"; }},
-        {"greater square", [](Json& c) { c["answers"][4]["squared_distance"] = "14"; }},
-        {"point", [](Json& c) { c["answers"][0]["points"][0][2] = "1/3"; }},
-        {"both points", [](Json& c) { c["answers"][0]["points"][0][0] = c["answers"][0]["points"][1][0] = "2"; }},
-        {"holder", [](Json& c) { c["answers"][0]["holders"][0] = "edge 0 1"; }},
-        {"no edge", [](Json& c) { c["answers"][0]["holders"][0] = "edge 0 7"; }},
-        {"interior", [](Json& c) { c["answers"][0]["holders"][1] = "interior"; }},
+        {"square", [](Json& c) { c["answers"][0]["answer"] = "29/15"; }},
+        {"greater square", [](Json& c) { c["answers"][4]["answer"] = "14"; }},
+        {"point", [](Json& c) { c["answers"][0]["witness"]["points"][0][2] = "1/3"; }},
+        {"face", [](Json& c) { c["answers"][0]["witness"]["faces"][0] = 0; }},
         {"pose", [](Json& c) { c["answers"][0]["pose_b"][3] = "2"; }},
         {"pose of a", [](Json& c) { c["answers"][0]["pose_a"][3] = "-1"; }},
         {"flat pose", [](Json& c) { c["answers"][0]["pose_b"][10] = "0"; }},
-        {"vertex", [](Json& c) { c["a"]["vertices"][7][0] = "5"; }},
-        {"face", [](Json& c) { c["b"]["faces"][0][0][0] = 7; }},
-        {"piece of a face", [](Json& c) { c["a"]["pieces"][0]["face"] = 1; }},
-        {"corner of a piece", [](Json& c) { c["a"]["pieces"][0]["corners"][0] = 7; }},
-        {"no pieces", [](Json& c) { c["b"]["pieces"] = Json::array(); }},
-        {"no cover", [](Json& c) { c["answers"][0]["cover"] = Json::array(); }},
-        {"a part less", [](Json& c) { c["answers"][1]["cover"].erase(0); }},
-        {"an axis",
-         [](Json& c) {
-           c["answers"][0]["cover"][0]["axis"] = {"0", "0", "1"};
-         }},
-        {"no axis",
-         [](Json& c) {
-           c["answers"][0]["cover"][0]["axis"] = {"0", "0", "0"};
-         }},
-        {"a side less", [](Json& c) { c["answers"][0]["cover"][0]["b"].erase(0); }},
-        {"the other side less", [](Json& c) { c["answers"][0]["cover"][0]["a"].erase(0); }},
-        {"question", [](Json& c) { c["question"] = "other"; }},
+        {"file", [](Json& c) { c["bodies"][0]["sha256"] = std::string(64, '0'); }},
+        {"no cover", [](Json& c) { c["answers"][0].erase("cover"); }},
+        {"question", [](Json& c) { c["answers"][0]["question"] = "other"; }},
         {"answers", [](Json& c) { c["answers"] = Json::array(); }}};
     for (const auto& [what, spoil] : ways) {
       Json bad = good;
       spoil(bad);
-      BOOST_TEST(checked(bad) != 0, question << ": " << what);
+      BOOST_TEST(checked(files, bad) != 0, question << ": " << what);
     }
   }
   // A proof for the surfaces need not hold for the solids: one cube is in the other.
   Json inside = certificate_of(files, "surface");
-  inside["question"] = "solid";
-  BOOST_TEST(checked(inside) != 0);
+  for (Json& answer : inside["answers"]) answer["question"] = "solid";
+  BOOST_TEST(checked(files, inside) != 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
