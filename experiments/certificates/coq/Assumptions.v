@@ -1,5 +1,5 @@
 (** What the theorems rest on: nothing but Coq, each time "Closed under the global context". *)
-From Certificates Require Import Space Exact Faces Cuts Covers Claims Rays Motions Unique.
+From Certificates Require Import Space Exact Faces Cuts Covers Claims Placed Rays Motions Unique.
 
 Print Assumptions witness_is_common.
 Print Assumptions cover_proves_apart.
@@ -13,3 +13,6 @@ Print Assumptions ray_is_free.
 Print Assumptions motion_is_free.
 Print Assumptions winding_is_unique.
 Print Assumptions inside_is_decided.
+Print Assumptions gap_at_place_is.
+Print Assumptions winding_at_place_is.
+Print Assumptions shells_at_place_is.

@@ -236,7 +236,8 @@ Qed.
 Lemma edges_cancel d e : sum (edge_sum d e) (pieces (cut_faces b)) = 0%Z.
 Proof.
   set (g := fun x y => edge_adds d e (seen_at x) (seen_at y)).
-  assert (anti : forall x y, g y x = (- g x y)%Z) by (intros; apply edge_adds_antisymmetric).
+  assert (anti : forall x y, g y x = (- g x y)%Z) by (intros x y; exact (edge_adds_antisymmetric d e (seen_at x) (seen_at y))).
+  unfold is_closed in closed.
   assert (whole := cancel_sound g anti _ closed).
   rewrite <- whole. clear whole.
   assert (cuts : forall f, In f (cut_faces b) -> check_cut f = true)
@@ -258,15 +259,18 @@ Proof.
   unfold pieces_at in all. unfold of_triangles in triangles. clear closed body_b.
   revert ws all triangles general. induction (pieces (cut_faces b)) as [|f fs IH]; intros ws all triangles general; inversion all; subst; [reflexivity|].
   cbn [sum]. rewrite (IH l'); [|assumption|intros; apply triangles; right; assumption|].
-  2: { intros x y x_in y_in. apply general; simpl in *; [destruct x_in as [->|x_in] | destruct y_in as [->|y_in]]; auto;
-       right; rewrite map_app; apply in_or_app; auto. }
+  2: { assert (fewer : forall q, In q (d :: map seen_at (concat (map (@concat grid) fs))) -> In q (d :: map seen_at (concat (map (@concat grid) (f :: fs))))).
+       { intros q [<-|q_in]; [left; reflexivity|]. right. simpl. rewrite map_app. apply in_or_app. right. exact q_in. }
+       intros q r q_in r_in. apply general; apply fewer; assumption. }
   assert (one : y = (origin_in e f + edge_sum d e f)%Z); [|lia].
   destruct (triangles f (or_introl eq_refl)) as (u & v & w & ->).
   destruct (adds_is_hits p d (place_of u) (place_of v) (place_of w) y) as (gen & <-); [assumption|].
   unfold origin_in, edge_sum. simpl edges. cbn [sum fst snd].
   rewrite (triangle_adds d e (minus (place_of u) p) (minus (place_of v) p) (minus (place_of w) p)); [|assumption| |assumption].
   - unfold seen_at, edges, edges_of_loop. simpl. lia.
-  - intros x z x_in z_in. apply general; simpl in *; unfold seen_at; tauto.
+  - assert (fewer : forall q, In q [d; seen_at u; seen_at v; seen_at w] -> In q (d :: map seen_at (concat (map (@concat grid) ([[u; v; w]] :: fs))))).
+    { intros q [<-|[<-|[<-|[<-|[]]]]]; [left; reflexivity | right; left; reflexivity | right; right; left; reflexivity | right; right; right; left; reflexivity]. }
+    intros q r q_in r_in. apply general; apply fewer; assumption.
 Qed.
 
 (** The winding number of a point in a closed body of triangles is one number: every generic ray gives it. *)
@@ -279,7 +283,7 @@ Proof.
   assert (in_l : in_general e l).
   { intros x y x_in y_in flat_. apply general; [|exact flat_]. apply in_flat_map. exists x. split; [assumption|]. apply in_map. assumption. }
   rewrite (sum_along d e ws), (sum_along d' e ws'); try assumption; [reflexivity|..];
-    intros x y x_in y_in; apply in_l; unfold l; simpl in *; tauto.
+    intros x y [<-|x_in] [<-|y_in]; apply in_l; unfold l; solve [left; reflexivity | right; left; reflexivity | right; right; assumption].
 Qed.
 End Independence.
 

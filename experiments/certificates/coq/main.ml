@@ -344,6 +344,11 @@ let pose_numbers entry =
 
 let pose numbers = pose_over (unit_of numbers) numbers
 
+(* A body at a pose; its pieces are placed when a cover first needs them. *)
+type place = { m : Core.zpose; body : body; all : Core.placed_body Lazy.t }
+
+let at_place body m = { m; body; all = lazy (Core.place_body m body.core) }
+
 (* Covers *)
 
 let directions_of entry = Array.of_list (List.map direction (rows (get entry "directions")))
@@ -358,8 +363,9 @@ let rec cover_of directions = function
   | _ -> bad "a node of a cover is none"
 
 (* A normal and a ray in the plane, for Core to judge. *)
-let crossed m body up p d f =
-  let corners = List.concat (List.map (List.map (Core.seen up p (Core.unit_at m body.core))) (Core.place_face m body.core f)) in
+let crossed place up p d f =
+  let core = place.body.core in
+  let corners = List.concat (List.map (List.map (Core.seen up p (Core.unit_at place.m core))) (Core.place_face place.m core f)) in
   match normal_of corners with
   | None -> raise (Refused "a ray crosses a face without a plane")
   | Some n ->
@@ -377,7 +383,16 @@ let rec passage_of directions crossed node (group : Core.zface Core.group) =
       Core.Open (List.map2 (passage_of directions crossed) parts members)
   | _ -> bad "a node of a cover is none"
 
-let winding_passage entry m body up p d = passage_of (directions_of entry) (crossed m body up p d) (get entry "cover") body.core.groups
+(* The winding number of p that the entry's ray proves. *)
+let need_winding entry place up p =
+  need_closed place.body;
+  let d = direction (get entry "ray") in
+  let number = match get entry "winding" with Int n -> n | _ -> bad "a winding number is none" in
+  let passage = passage_of (directions_of entry) (crossed place up p d) (get entry "cover") place.body.core.groups in
+  (match Core.winding_at_place up p d (Lazy.force place.all) passage with
+   | Some w -> need (Z.equal w (Z.of_int number)) "the winding number is another"
+   | None -> raise (Refused "a ray is not generic, or not apart from a group"));
+  (number, d, passage)
 
 (* Witnesses *)
 
@@ -400,7 +415,8 @@ let holder_of face up x unit =
         Core.In_plane (n, in_plane w))
         (Option.bind (normal_of corners) (fun n -> if List.for_all (fun v -> Z.sign (Core.zdot n v) = 0) corners then Some n else None))
 
-let holds m body f point =
+let holds place f point =
+  let body = place.body and m = place.m in
   let f = index (Array.length body.loops) "face" f in
   let up = unit_of point in
   let x = grid_of up point in
@@ -412,45 +428,39 @@ let holds m body f point =
          | Some h -> Core.check_holds m body.core (Z.of_int k) h up x
          | None -> false)) body.of_face.(f)
 
-let witness entry bodies poses optional =
+let witness entry places optional =
   keys entry ["points"; "faces"] optional;
   match rows (get entry "points"), rows (get entry "faces") with
   | [p; q], [f; g] ->
       let p = vector p and q = vector q in
-      need (holds poses.(0) bodies.(0) f p) "the face of A does not hold the point";
-      need (holds poses.(1) bodies.(1) g q) "the face of B does not hold the point";
+      need (holds places.(0) f p) "the face of A does not hold the point";
+      need (holds places.(1) g q) "the face of B does not hold the point";
       List.fold_left Q.add Q.zero (List.map2 (fun x y -> let d = Q.sub x y in Q.mul d d) p q)
   | _ -> bad "a witness has not two points and faces"
 
 (* Windings: those of vertices, by the body that has the vertex, and all as (point, body, number). *)
 
-type winding = { of_vertex : (int * int * Core.corner_ray) option; point : Core.grid * Z.t; holder : int; number : int }
+type winding = { of_vertex : (int * Core.corner_ray) option; point : Core.grid * Z.t; holder : int; number : int }
 
-let read_winding bodies poses entry =
+let read_winding places entry =
   keys entry ["in"; "ray"; "winding"; "directions"; "cover"] ["vertex"; "point"];
   need_form (has entry "vertex" <> has entry "point") "a winding number is of a vertex or of a point";
   let holder = match get entry "in" with String "a" -> 0 | String "b" -> 1 | _ -> bad "a winding number is in no body" in
-  let other = 1 - holder in
-  let d = direction (get entry "ray") in
-  let number = match get entry "winding" with Int n -> n | _ -> bad "a winding number is none" in
-  let up, p, vertex =
-    if has entry "vertex" then
-      let v = index (Array.length bodies.(other).corners) "vertex" (get entry "vertex") in
-      let m = poses.(other) and core = bodies.(other).core in
-      (Core.unit_at m core, Core.zplace m core.unit0 bodies.(other).corners.(v), Some v)
-    else
-      let point = vector (get entry "point") in
-      let up = unit_of point in
-      (up, grid_of up point, None) in
-  let passage = winding_passage entry poses.(holder) bodies.(holder) up p d in
-  (match Core.check_winding up p d poses.(holder) bodies.(holder).core passage with
-   | Some w -> need (Z.equal w (Z.of_int number)) "a winding number is another"
-   | None -> raise (Refused "a ray is not generic, or not apart from a group"));
-  need_closed bodies.(holder);
-  { of_vertex = Option.map (fun v -> (other, v, { Core.corner = bodies.(other).corners.(v); ray = d; proof = passage })) vertex;
-    point = (p, up); holder; number }
+  let other = places.(1 - holder) in
+  if has entry "vertex" then begin
+    let corner = other.body.corners.(index (Array.length other.body.corners) "vertex" (get entry "vertex")) in
+    let up = Core.unit_at other.m other.body.core and p = Core.zplace other.m other.body.core.unit0 corner in
+    let number, ray, proof = need_winding entry places.(holder) up p in
+    { of_vertex = Some (1 - holder, { Core.corner; ray; proof }); point = (p, up); holder; number }
+  end else begin
+    let point = vector (get entry "point") in
+    let up = unit_of point in
+    let p = grid_of up point in
+    let number, _, _ = need_winding entry places.(holder) up p in
+    { of_vertex = None; point = (p, up); holder; number }
+  end
 
-let windings answer bodies poses = List.map (read_winding bodies poses) (rows (get answer "windings"))
+let windings answer places = List.map (read_winding places) (rows (get answer "windings"))
 
 (* The order in which faces are reached from the corners: face after face with a common corner. *)
 let links body rays =
@@ -469,20 +479,20 @@ let links body rays =
   done;
   List.rev !steps
 
-let need_each_shell found bodies poses k inside =
+let need_each_shell found places k inside =
   let rays = List.filter_map (fun w -> match w.of_vertex with
-    | Some (body, _, ray) when body = k && (w.number <> 0) = inside -> Some ray
+    | Some (body, ray) when body = k && (w.number <> 0) = inside -> Some ray
     | _ -> None) found in
-  need (Core.check_shells inside poses.(k) bodies.(k).core poses.(1 - k) bodies.(1 - k).core rays (links bodies.(k) rays))
+  need (Core.shells_at_place inside (Lazy.force places.(k).all) (Lazy.force places.(1 - k).all) rays (links places.(k).body rays))
     (if inside then "a shell has no vertex that is known to be inside" else "a shell has no vertex that is known to be outside")
 
 let some_vertex_inside found = List.exists (fun w -> w.of_vertex <> None && w.number <> 0) found
 
 (* Answers *)
 
-let need_gap ?(square = Q.zero) ?(strictly = false) answer bodies poses =
+let need_gap ?(square = Q.zero) ?(strictly = false) answer places =
   let cover = cover_of (directions_of answer) (get answer "cover") in
-  need (Core.check_gap square.Q.num square.den strictly poses.(0) bodies.(0).core poses.(1) bodies.(1).core cover) "two groups are not as far apart"
+  need (Core.gap_at_place square.Q.num square.den strictly (Lazy.force places.(0).all) (Lazy.force places.(1).all) cover) "two groups are not as far apart"
 
 let pair = ["ask"; "question"; "pose_a"; "pose_b"; "answer"]
 let cover_keys = ["directions"; "cover"]
@@ -493,79 +503,75 @@ let need_pair answer bodies =
   if solid then Array.iter need_closed bodies;
   solid
 
-let poses_of answer names = Array.of_list (List.map (fun name -> pose (pose_numbers (get answer name))) names)
+let places_of answer bodies names = Array.of_list (List.mapi (fun k name -> at_place bodies.(k) (pose (pose_numbers (get answer name)))) names)
 
 let placed_pair answer bodies =
   let solid = need_pair answer bodies in
-  (poses_of answer ["pose_a"; "pose_b"], solid)
+  (places_of answer bodies ["pose_a"; "pose_b"], solid)
 
-let prove_apart ?square ?strictly answer bodies poses solid =
-  need_gap ?square ?strictly answer bodies poses;
+let prove_apart ?square ?strictly answer places solid =
+  need_gap ?square ?strictly answer places;
   if solid then begin
-    let found = windings answer bodies poses in
-    need_each_shell found bodies poses 0 false;
-    need_each_shell found bodies poses 1 false
+    let found = windings answer places in
+    need_each_shell found places 0 false;
+    need_each_shell found places 1 false
   end
 
 (* The points are at most so far apart, or one solid holds a vertex of the other. *)
-let prove_together answer bodies poses solid square =
-  if has answer "witness" then need (Q.leq (witness (get answer "witness") bodies poses []) square) "the points are farther apart"
-  else need (solid && some_vertex_inside (windings answer bodies poses)) "no vertex is inside of the other solid"
+let prove_together answer places solid square =
+  if has answer "witness" then need (Q.leq (witness (get answer "witness") places []) square) "the points are farther apart"
+  else need (solid && some_vertex_inside (windings answer places)) "no vertex is inside of the other solid"
 
 let prove_collide answer bodies =
   keys answer pair ("witness" :: "windings" :: cover_keys);
-  let poses, solid = placed_pair answer bodies in
+  let places, solid = placed_pair answer bodies in
   match get answer "answer" with
   | String "surfaces" ->
       keys answer ("witness" :: pair) [];
-      need (Q.equal (witness (get answer "witness") bodies poses []) Q.zero) "the points are not one"
+      need (Q.equal (witness (get answer "witness") places []) Q.zero) "the points are not one"
   | String "apart" ->
       keys answer (pair @ cover_keys @ if solid then ["windings"] else []) [];
-      prove_apart answer bodies poses solid
+      prove_apart answer places solid
   | String ("a_in_b" | "b_in_a" as said) when solid ->
       keys answer (("windings" :: pair) @ cover_keys) [];
-      need_gap answer bodies poses;
+      need_gap answer places;
       let held = if said = "a_in_b" then 0 else 1 in
-      need (List.exists (fun w -> match w.of_vertex with Some (k, _, _) -> k = held && w.number <> 0 | None -> false) (windings answer bodies poses))
+      need (List.exists (fun w -> match w.of_vertex with Some (k, _) -> k = held && w.number <> 0 | None -> false) (windings answer places))
         "no shell is known to be inside"
   | _ -> bad "there is no such answer"
 
 let prove_distance answer bodies =
   keys answer pair ("witness" :: "windings" :: cover_keys);
-  let poses, solid = placed_pair answer bodies in
+  let places, solid = placed_pair answer bodies in
   let square = exact (get answer "answer") in
-  if Q.equal square Q.zero then prove_together answer bodies poses solid Q.zero
+  if Q.equal square Q.zero then prove_together answer places solid Q.zero
   else begin
-    need (Q.equal (witness (get answer "witness") bodies poses []) square) "the points are not so far apart";
+    need (Q.equal (witness (get answer "witness") places []) square) "the points are not so far apart";
     need (Q.sign square > 0) "a square is negative";
-    prove_apart ~square answer bodies poses solid
+    prove_apart ~square answer places solid
   end
 
 let prove_within answer bodies =
   keys answer ("limit" :: pair) ("witness" :: "windings" :: cover_keys);
-  let poses, solid = placed_pair answer bodies in
+  let places, solid = placed_pair answer bodies in
   let limit = given (get answer "limit") in
   let square = Q.mul limit limit in
   match get answer "answer" with
-  | Int 1 -> need (Q.sign limit >= 0) "a negative limit"; prove_together answer bodies poses solid square
-  | Int 0 -> if Q.sign limit >= 0 then prove_apart ~square ~strictly:true answer bodies poses solid
+  | Int 1 -> need (Q.sign limit >= 0) "a negative limit"; prove_together answer places solid square
+  | Int 0 -> if Q.sign limit >= 0 then prove_apart ~square ~strictly:true answer places solid
   | _ -> bad "there is no such answer"
 
 let prove_inside answer bodies =
   keys answer ["ask"; "point"; "answer"] ("face" :: "ray" :: "winding" :: cover_keys);
   need_form (Array.length bodies = 1) "there is not one body";
-  let body = bodies.(0) in
-  need_closed body;
+  let place = at_place bodies.(0) identity in
+  need_closed place.body;
   let point = vector ~number:given (get answer "point") in
   match get answer "answer" with
-  | Int 0 -> need (holds identity body (get answer "face") point) "the face does not hold the point"
+  | Int 0 -> need (holds place (get answer "face") point) "the face does not hold the point"
   | Int (1 | -1 as said) ->
       let up = unit_of point in
-      let p = grid_of up point and d = direction (get answer "ray") in
-      let number = match get answer "winding" with Int n -> n | _ -> bad "a winding number is none" in
-      (match Core.check_winding up p d identity body.core (winding_passage answer identity body up p d) with
-       | Some w -> need (Z.equal w (Z.of_int number)) "the winding number is another"
-       | None -> raise (Refused "a ray is not generic, or not apart from a group"));
+      let number, _, _ = need_winding answer place up (grid_of up point) in
       need ((number <> 0) = (said = 1)) "the winding number says otherwise"
   | _ -> bad "there is no such answer"
 
@@ -585,7 +591,7 @@ let prove_ray answer bodies =
       (match hit with
        | Some (f, t) ->
            need (Q.sign t >= 0 && (match last with Some e -> Q.leq t e | None -> true)) "the hit is not on the ray";
-           need (holds identity body (Int f) (List.map2 (fun x y -> Q.add x (Q.mul t y)) o d)) "the face does not hold the hit"
+           need (holds (at_place body identity) (Int f) (List.map2 (fun x y -> Q.add x (Q.mul t y)) o d)) "the face does not hold the hit"
        | None -> ());
       let u = unit_of (o @ d) in
       let of_q (t : Q.t) = { Core.qnum = t.num; qden = t.den } in
@@ -597,28 +603,28 @@ let prove_ray answer bodies =
 
 let prove_relation answer bodies =
   keys answer ["ask"; "pose_a"; "pose_b"; "answer"] ("witness" :: "plane" :: "windings" :: cover_keys);
-  let poses, _ = placed_pair (match answer with Object l -> Object (("question", String "solid") :: l) | _ -> answer) bodies in
+  let places, _ = placed_pair (match answer with Object l -> Object (("question", String "solid") :: l) | _ -> answer) bodies in
   match get answer "answer" with
   | String "meet" ->
-      need (Q.equal (witness (get answer "witness") bodies poses []) Q.zero) "the points are not one";
-      need (Core.check_plane (direction (get answer "plane")) poses.(0) bodies.(0).core poses.(1) bodies.(1).core) "the plane does not separate"
+      need (Q.equal (witness (get answer "witness") places []) Q.zero) "the points are not one";
+      need (Core.check_plane (direction (get answer "plane")) places.(0).m bodies.(0).core places.(1).m bodies.(1).core) "the plane does not separate"
   | String "overlap" ->
-      let found = windings answer bodies poses in
+      let found = windings answer places in
       let side holder p = List.find_map (fun w -> if w.holder = holder && w.point = p then Some (w.number <> 0) else None) found in
       let points = List.map (fun w -> w.point) found in
       List.iter (fun wanted -> need (List.exists (fun p -> (side 0 p, side 1 p) = wanted) points) "a part of an overlap has no point")
         [(Some true, Some true); (Some true, Some false); (Some false, Some true)]
   | String ("disjoint" | "inside" | "contains" as said) ->
-      need_gap answer bodies poses;
-      let found = windings answer bodies poses in
-      need_each_shell found bodies poses 0 (said = "inside");
-      need_each_shell found bodies poses 1 (said = "contains")
+      need_gap answer places;
+      let found = windings answer places in
+      need_each_shell found places 0 (said = "inside");
+      need_each_shell found places 1 (said = "contains")
   | _ -> bad "there is no such answer"
 
 let prove_motion answer bodies =
   keys answer ["ask"; "question"; "from_a"; "to_a"; "from_b"; "to_b"; "answer"] ("witness" :: "windings" :: cover_keys);
   let solid = need_pair answer bodies in
-  let start = poses_of answer ["from_a"; "from_b"] in
+  let start = places_of answer bodies ["from_a"; "from_b"] in
   let numbers = List.map (fun name -> pose_numbers (get answer name)) ["from_a"; "to_a"; "from_b"; "to_b"] in
   let ends = match numbers with
     | [a0; a1; b0; b1] -> [(a0, a1); (b0, b1)]
@@ -633,11 +639,11 @@ let prove_motion answer bodies =
        let time = exact (get (get answer "witness") "time") in
        need (Q.leq lo time && Q.leq time hi) "the witness is not of its time";
        let at_time (x, y) = pose (List.map2 (fun x y -> Q.add (Q.mul (Q.sub Q.one time) x) (Q.mul time y)) x y) in
-       let poses = Array.of_list (List.map at_time ends) in
-       need (Q.equal (witness (get answer "witness") bodies poses ["time"]) Q.zero) "the points are not one"
+       let places = Array.of_list (List.mapi (fun k ends -> at_place bodies.(k) (at_time ends)) ends) in
+       need (Q.equal (witness (get answer "witness") places ["time"]) Q.zero) "the points are not one"
    | Some hi ->
        need (solid && Q.sign hi = 0) "there is no witness";
-       need (some_vertex_inside (windings answer bodies start)) "no vertex is inside of the other solid");
+       need (some_vertex_inside (windings answer start)) "no vertex is inside of the other solid");
   if hi <> Some Q.zero then begin
     let over_both (x, y) = let u = unit_of (x @ y) in (pose_over u x, pose_over u y) in
     let (a0, a1), (b0, b1) = match List.map over_both ends with [a; b] -> (a, b) | _ -> assert false in
@@ -646,9 +652,9 @@ let prove_motion answer bodies =
     let is_open = match hi with Some hi -> Q.equal lo hi | None -> false in
     need (Core.check_motion last is_open a0 a1 bodies.(0).core b0 b1 bodies.(1).core cover) "two groups are not apart all the time";
     if solid then begin
-      let found = windings answer bodies start in
-      need_each_shell found bodies start 0 false;
-      need_each_shell found bodies start 1 false
+      let found = windings answer start in
+      need_each_shell found start 0 false;
+      need_each_shell found start 1 false
     end
   end
 
