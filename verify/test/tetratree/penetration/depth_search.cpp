@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_depth_of_convex_bodies_is_the_least_of_all_normals)
   for (int round = 0; round < 8; ++round) {
     const Polyhedron a = scenes::cube(1), b = scenes::tetrahedron({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3});
     const Pose pose_a = scenes::random_rotation(random, 4),
-               pose_b = scenes::random_rotation(random, 4, {Rational(round, 8), 0, Rational(1, 3)});
+               pose_b = scenes::random_rotation(random, 4, {Rational(round) / 8, 0, Rational(1, 3)});
     const tetracone::verify::Object_case c{
         std::make_shared<const Polyhedron>(a), std::make_shared<const Polyhedron>(b), pose_a, pose_b, {}, {}, {}};
     const Rational truth = tetracone::verify::convex_squared_depth(c);
