@@ -29,8 +29,8 @@ struct Depth_bracket {
 
 /// How narrow a bracket is asked for, and for how much work.
 struct Depth_limits {
-  double relative = 1e-9;           ///< the bracket's width over its upper end at which the search ends
-  std::size_t most_boxes = 200000;  ///< boxes of translations that are looked at
+  double relative = 1e-9;          ///< the bracket's width over its upper end at which the search ends
+  std::size_t most_boxes = 20000;  ///< boxes of translations that are looked at
 };
 
 /// The least translation of A after which the interiors of A and B share no point.
