@@ -123,7 +123,6 @@ let decimal s =
   let digits = String.concat "" (String.split_on_char '.' mantissa) in
   if not (is_digits digits && is_digits exponent && List.length (String.split_on_char '.' mantissa) <= 2) then bad "'%s' is not a number" s;
   let x = float_of_string s in
-  if Float.is_integer x || Float.abs x < infinity then () else bad "%s is beyond the doubles" s;
   if Float.abs x = infinity then bad "%s is beyond the doubles" s;
   Q.of_float x
 
@@ -153,7 +152,7 @@ let ints x y z = { Core.vx = Z.of_int x; vy = Z.of_int y; vz = Z.of_int z }
 let zero = ints 0 0 0
 let direction entry = let m = whole (vector entry) in need (m <> zero) "a direction is 0"; m
 
-(* Whatever vector does, of (1, s, s^2) with small s, and axes: at most twice as many s are bad as there are conditions. *)
+(* The first good vector of the axes and of (1, s, s^2): each condition is against two values of s at most. *)
 let find_vector good =
   let rec go s = if s > 100000 then raise (Refused "no ray in a face's plane was found") else let v = ints 1 s (s * s) in if good v then v else go (s + 1) in
   let first = List.find_opt good [ints 1 0 0; ints 0 1 0; ints 0 0 1] in
