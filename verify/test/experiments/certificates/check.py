@@ -114,15 +114,17 @@ class Certificates(unittest.TestCase):
         self.assertTrue(lies.believed(text, files))
         self.assertFalse(lies.believed(text, files[::-1]))
         self.assertFalse(lies.believed(text))
-        given.write_text(given.read_text().replace("1.25", "1.26"))
+        others = self.folder / "others"
+        others.write_text(given.read_text().replace("1.25", "1.26"))
         with self.assertRaises(reading.Refused):
-            list(check.prove(text, files, [(key, given)]))
+            list(check.prove(text, files, [(key, others)]))
 
     def test_no_lie_is_believed(self):
         random.seed(48)
         count = 0
         for text, _, files, _, _ in self.certificates:
             certificate = json.loads(text)
+            certificate["answers"] = random.sample(certificate["answers"], 2)  # lies grow with the square of the answers
             for kind in (lies.spoiled_proofs, lies.false_claims):
                 told = [lie for lie in kind(certificate) if random.random() < 0.02]
                 for name, spoiled in random.sample(told, min(len(told), 30)):
