@@ -156,7 +156,9 @@ BOOST_AUTO_TEST_CASE(relations_of_exits_hold_and_are_violated_by_wrong_exits)
 BOOST_AUTO_TEST_CASE(a_nudge_that_leads_nowhere_is_noticed)
 {
   const auto ask = solid_subjects()[0].make();
-  const Solid_answer given{{{Solid_relation::meet, 0}}, Solid_relation::meet};
+  Solid_answer given;
+  given.overlap.contact = {Solid_relation::meet, 0};
+  given.alone = Solid_relation::meet;
   const auto relations = solid_relations();
   const auto nudge = std::ranges::find(relations, "R13 nudge", &Solid_level::Relation::name);
   int noticed = 0;
