@@ -39,8 +39,8 @@ class Measures {
  public:
   explicit Measures(std::uint64_t seed) : seed_(seed) {}
 
-  /// Asks all ways in turn, pass by pass. The fastest time of each question counts, and their mean is told. The last way
-  /// is what the others are compared with.
+  /// Asks all ways in turn, pass by pass. The fastest time of each question counts, and their mean is told. The last
+  /// way is what the others are compared with.
   void race(const std::string& question, const std::string& object, std::size_t triangles, std::size_t count,
             const std::vector<Way>& ways, int passes)
   {

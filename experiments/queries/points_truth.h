@@ -26,8 +26,8 @@ using Cgal_mesh = CGAL::Surface_mesh<Exact_predicates::Point_3>;
 using Cgal_tree =
     CGAL::AABB_tree<CGAL::AABB_traits<Exact_predicates, CGAL::AABB_face_graph_triangle_primitive<Cgal_mesh>>>;
 
-/// Returns points at random in a box a tenth larger than the body; or within 1e-3 of a random point of a random triangle, 1
-/// being half of the body's largest extent.
+/// Returns points at random in a box a tenth larger than the body; or within 1e-3 of a random point of a random
+/// triangle, 1 being half of the body's largest extent.
 inline std::vector<std::array<double, 3>> points_of(const covering::Polyhedron& body, bool near_surface, int count,
                                                     verify::Random& random)
 {

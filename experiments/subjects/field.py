@@ -230,7 +230,7 @@ def exact_answer(case, question, path, program, version):
         bodies = {key: {"vertices": case[key], "triangles": field_cases.TRIANGLES} for key in "ab"}
         return field_trial.truth(case | bodies, question)
     with open(path, "w") as file:
-        file.write(field_cases.case_file(case, {}, version).replace('"question": "solid"', f'"question": "{question}"'))
+        file.write(field_cases.case_file(case, {"surface": 0, "solid": 0}, version).replace('"question": "solid"', f'"question": "{question}"'))
     return int(subprocess.run([program, "collide", path], check=True, capture_output=True, text=True).stdout)
 
 

@@ -1,5 +1,5 @@
-// A subject around the GNU Triangulated Surface Library (Debian: libgts-dev): curves in which placed surfaces intersect.
-// Its predicates are exact, and its simulation of simplicity makes every touch a crossing or nothing.
+// A subject around the GNU Triangulated Surface Library (Debian: libgts-dev): curves in which placed surfaces
+// intersect. Its predicates are exact, and its simulation of simplicity makes every touch a crossing or nothing.
 //   g++ -O2 -std=c++20 -I. experiments/subjects/gts.cpp -o gts $(pkg-config --cflags --libs gts)
 #include "experiments/subjects/subject.h"
 

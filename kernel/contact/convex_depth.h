@@ -59,8 +59,8 @@ class Convex_depth {
   const Rational& square() const { return *square_; }
 
  private:
-  /// A direction: the normal of triangle `second` of body `first`, or the product of an edge of each. `least` is a lower
-  /// bound of its plane's distance.
+  /// A direction: the normal of triangle `second` of body `first`, or the product of an edge of each. `least` is a
+  /// lower bound of its plane's distance.
   struct Candidate {
     double least;
     bool is_normal;

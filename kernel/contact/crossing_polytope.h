@@ -35,9 +35,9 @@ struct Translation_box {
 /// rounded; `inner` is a limit that is surely small enough, `outer` one that is surely large enough.
 class Crossing_polytope {
  public:
-  /// Requires a block of upward rounding. Nothing is known of pieces that are not bounded. `radius` is an upper bound of the ball's, exactly the root
-  /// of `square`. Translations that are asked for have coordinates of at most `most`. exactly(axis) returns what the
-  /// exact pieces say of an axis, as Allowed<Rational>, and its exact direction.
+  /// Requires a block of upward rounding. Nothing is known of pieces that are not bounded. `radius` is an upper bound
+  /// of the ball's, exactly the root of `square`. Translations that are asked for have coordinates of at most `most`.
+  /// exactly(axis) returns what the exact pieces say of an axis, as Allowed<Rational>, and its exact direction.
   template <class Exactly>
   Crossing_polytope(const Convex_piece<Height_interval>& a, const Convex_piece<Height_interval>& b, bool are_bounded,
                     double radius, double most, const Exactly& exactly)

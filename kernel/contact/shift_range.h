@@ -237,8 +237,8 @@ inline Rational exact_high(const Convex_piece<Height_interval>& a, const Convex_
   return *high;
 }
 
-/// Returns the directions of the axes that allow no s above `high`, the end of two pieces. They are normals of the facets
-/// in which a leaves b.
+/// Returns the directions of the axes that allow no s above `high`, the end of two pieces. They are normals of the
+/// facets in which a leaves b.
 inline std::vector<Number_point<Rational>> directions_at(const Convex_piece<Rational>& a,
                                                          const Convex_piece<Rational>& b, const Rational& high)
 {

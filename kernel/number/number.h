@@ -99,6 +99,11 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
 inline Rational shortened(const mpz_class& top, const mpz_class& bottom)
 {
   const long bits = long(mpz_sizeinbase(top.get_mpz_t(), 2)) - long(mpz_sizeinbase(bottom.get_mpz_t(), 2));
+  // Beyond all doubles, and between 0 and the least one, one number stands for all.
+  if (bits > 1100 || bits < -1200) {
+    const Rational far(mpz_class(mpz_class(1) << 1100), 1);
+    return sgn(top) * sgn(bottom) * (bits > 0 ? far : Rational(1 / (far * far)));
+  }
   const long k = 128 - bits;
   const auto shifted = [](const mpz_class& x, long by) { return by > 0 ? mpz_class(x << mp_bitcnt_t(by)) : x; };
   mpz_class whole, left;

@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_DOOR_OVERLAP_H
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -32,6 +33,36 @@ class Overlap {
 struct Overlap_bounds {
   std::array<double, 2> volume{};                   ///< of the intersection of the interiors
   std::array<std::array<double, 2>, 3> centroid{};  ///< by coordinate; 0 where the volume is 0
+};
+
+/// How far a solid must be moved along a direction to leave another one, in lengths of the direction. Fractions are
+/// "n/d" or "n", in lowest terms; each double is the one nearest to its fraction.
+///
+/// The solids may touch: interiors alone count. Both exits are 0 where the interiors share no point at the start.
+struct Exits {
+  double first = 0;  ///< the least s >= 0 at which the interiors share no point
+  double last = 0;   ///< the least s >= 0 from which on they never share one again
+
+  std::string exact_first = "0";  ///< the first exit as a fraction
+  std::string exact_last = "0";   ///< the last exit as a fraction
+};
+
+/// How narrow a bracket of a depth is asked for, and for how much work.
+struct Depth_options {
+  double relative = 1e-9;      ///< the search ends at this width over the upper end
+  std::size_t budget = 20000;  ///< the search ends after so many boxes of translations, whatever the width
+};
+
+/// A bracket of the length of the least translation of A after which the interiors of two solids share no point. The
+/// solids may touch. All is 0 where the interiors share no point at the start.
+struct Depth {
+  double low = 0;                  ///< lower bound
+  double high = 0;                 ///< upper bound: the length of `vector`, rounded up
+  std::array<double, 3> vector{};  ///< the doubles nearest to a translation that parts the solids
+  bool is_exact = true;            ///< no shorter translation parts the solids: this is proved
+
+  std::string exact_square = "0";                             ///< the square of the vector's length, as a fraction
+  std::array<std::string, 3> exact_vector = {"0", "0", "0"};  ///< the translation in fractions
 };
 
 }  // namespace tetracone

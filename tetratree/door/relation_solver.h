@@ -5,8 +5,6 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
-#include "tetracone/tetratree/door/depth.h"
-#include "tetracone/tetratree/door/exits.h"
 #include "tetracone/tetratree/door/overlap.h"
 #include "tetracone/tetratree/query_statistics.h"
 

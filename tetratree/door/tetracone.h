@@ -7,8 +7,6 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/tetratree/door/contacts.h"
-#include "tetracone/tetratree/door/depth.h"
-#include "tetracone/tetratree/door/exits.h"
 #include "tetracone/tetratree/door/motion.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/door/overlap.h"

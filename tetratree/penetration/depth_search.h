@@ -75,7 +75,7 @@ class Depth_search {
     boxes_left_ = limits.most_boxes;
     while (search(exit, meet, limits)) {
     }
-    found_.least = std::min(found_.least, kernel::nearest_root(found_.square));
+    found_.least = kernel::minimum(found_.least, kernel::nearest_root(found_.square));
     return found_;
   }
 
@@ -166,7 +166,7 @@ class Depth_search {
       std::ranges::pop_heap(open, is_later);
       const Open_box next = std::move(open.back());
       open.pop_back();
-      found_.least = std::max(found_.least, next.least);
+      found_.least = kernel::maximum(found_.least, next.least);
       if (next.least >= radius * (1 - limits.relative) || boxes_left_ == 0) return false;
       --boxes_left_;
       auto near = std::make_shared<Near>();
@@ -177,7 +177,7 @@ class Depth_search {
         Open_box part{0, next.halvings + 1, next.box, near};
         part.box.half[axis] /= 2;
         part.box.centre[axis] += side * part.box.half[axis];
-        part.least = std::max(next.least, part.box.least_length());
+        part.least = kernel::maximum(next.least, part.box.least_length());
         if (part.least > radius) continue;
         open.push_back(std::move(part));
         std::ranges::push_heap(open, is_later);

@@ -29,7 +29,8 @@ struct Exit_heights {
 /// Let F be the set of these rises s, and let a piece be as `Seen_solid` says.
 ///
 /// 1. An upright line through no edge of either body meets each solid in intervals between pieces. Intervals of A from
-///    a0 to a1 and of B from b0 to b1 overlap for s from b0 - a1 to b1 - a0. F is the union of these open intervals over
+///    a0 to a1 and of B from b0 to b1 overlap for s from b0 - a1 to b1 - a0. F is the union of these open intervals
+/// over
 ///    all such lines, since interiors are open.
 /// 2. An upper end of a part of F is the largest b1 - a0 over the lines that two pieces share. That is `high` of their
 ///    `Shift_range`. The last exit is the largest `high` of all pairs. No pair has a larger one, since every piece is a

@@ -116,7 +116,8 @@ class Crossing_overlap {
  public:
   using N = typename Placing::Number;
 
-  /// Requires `is_general`, and solids of which neither is apart from the other by a plane. Throws CGAL::Uncertain_conversion_exception where intervals do not tell a sign.
+  /// Requires `is_general`, and solids of which neither is apart from the other by a plane. Throws
+  /// CGAL::Uncertain_conversion_exception where intervals do not tell a sign.
   Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found,
                    const Is_vertex_inside& is_vertex_inside)
       : placing({&a, &b}),

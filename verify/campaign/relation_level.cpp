@@ -21,8 +21,8 @@ constexpr std::array all_relations = {Solid_relation::disjoint,   Solid_relation
 
 /// An answer says which relation holds, of which dimension the contact is, and how much the solids overlap. The last
 /// are `overlap_statements`: the exact volume and centroid, and the nearest doubles and the bounds of these four
-/// numbers; the value is the number of those that are right. The truth says of each relation whether it is the case's. Subjects are not asked
-/// about bodies of more than `most_faces` faces.
+/// numbers; the value is the number of those that are right. The truth says of each relation whether it is the case's.
+/// Subjects are not asked about bodies of more than `most_faces` faces.
 class Relation_page : public Page<levels::Relations> {
  public:
   std::array<Question, 1> questions(const Object_case&) const { return {Question::solid}; }

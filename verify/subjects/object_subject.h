@@ -2,7 +2,6 @@
 #define TETRACONE_VERIFY_SUBJECTS_OBJECT_SUBJECT_H
 
 #include "tetracone/kernel/predicate/contact.h"
-#include "tetracone/tetratree/door/depth.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/door/overlap.h"
 #include "verify/cases/case.h"
@@ -120,8 +119,8 @@ std::vector<Object_subject> contact_subjects();
 std::vector<Object_subject> distance_subjects();
 inline constexpr std::size_t most_faces_in_rationals = 24;
 
-/// Returns those that campaigns ask for the relations and exits of solids: the fast tree of the adaptive kernel, also remembering
-/// and with whole faces as leaves.
+/// Returns those that campaigns ask for the relations and exits of solids: the fast tree of the adaptive kernel, also
+/// remembering and with whole faces as leaves.
 std::vector<Object_subject> solid_subjects();
 
 /// Returns a list of contacts in the form in which lists are compared.

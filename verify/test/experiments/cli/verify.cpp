@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE(families_are_described_where_they_are_named)
   const Run list = run("verify --list");
   BOOST_TEST(list.status == 0, list.error);
   for (const std::string line :
-       {"Families of predicate object features contacts distances relations:", "Families of motions:",
+       {"Families of predicate object features contacts distances relations exits:", "Families of motions:",
         "  sliver                  triangles of a tiny height", "parameter: height 2^-h: h (2 10 20 30 40 50)",
         "  motion-rolling          a cube turns about an edge above a plate"})
     BOOST_TEST(list.out.find(line) != std::string::npos, line);

@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(a_hello_says_what_is_asked)
   Object_case tunnel = along(1);
   tunnel.b = std::make_shared<const covering::Polyhedron>(verify::prism_with_tunnel());
   const Pose sheared(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
-  // What is asked is declined: with a word the program declines all.
+  // A question is declined: with a word the program declines all.
   BOOST_TEST(asked("solids", along(1), Question::surface) == "not taken");
   BOOST_TEST(asked("solids", along(1), Question::solid) == "declined");
   BOOST_TEST(asked("rigid", along(1), Question::surface) == "declined");

@@ -21,10 +21,11 @@ BOOST_AUTO_TEST_CASE(every_family_has_its_line_and_is_described)
     BOOST_TEST(line.what.size() >= 6, line.name);
     BOOST_TEST(line.parameter.empty() == line.sweep.empty(), line.name);
   }
-  for (const auto& [name, levels] : {std::pair{"sliver", "predicate object features contacts distances relations"},
-                                     {"parallel", "distances"},
-                                     {"ray-in-plane", "rays"},
-                                     {"motion-rolling", "motions"}}) {
+  for (const auto& [name, levels] :
+       {std::pair{"sliver", "predicate object features contacts distances relations exits"},
+        {"parallel", "distances"},
+        {"ray-in-plane", "rays"},
+        {"motion-rolling", "motions"}}) {
     const auto lines = family_lines();
     const auto found = std::ranges::find(lines, name, &Family_line::name);
     BOOST_REQUIRE_MESSAGE(found != lines.end(), name);

@@ -284,8 +284,10 @@ BOOST_AUTO_TEST_CASE(every_exit_is_exact_and_each_wrong_statement_is_counted)
   BOOST_TEST(asked > 6);
   BOOST_TEST(rows.truth("positives") > asked / 4);
   BOOST_TEST(rows.truth("by_construction") == 2 * 4);
+  const std::int64_t depths = rows.sum("n", solid_subjects()[0].name, "depth");
+  BOOST_TEST(depths > 0);
   for (const Object_subject& subject : solid_subjects()) {
-    BOOST_TEST(rows.sum("n", subject.name) == 2 * asked, subject.name);
+    BOOST_TEST(rows.sum("n", subject.name) == 2 * asked + depths, subject.name);
     BOOST_TEST(rows.sum(wrong, subject.name) == 0, subject.name);
     BOOST_TEST(rows.relations("violated", subject.name) == 0, subject.name);
     BOOST_TEST(rows.relations("tried", subject.name) > 0, subject.name);
@@ -294,7 +296,7 @@ BOOST_AUTO_TEST_CASE(every_exit_is_exact_and_each_wrong_statement_is_counted)
   BOOST_TEST(rows.sum(wrong, "last", "last exit") == asked);
   BOOST_TEST(rows.sum(wrong, "doubles", "last exit") == asked);
   for (const char* subject : {"last", "doubles"}) BOOST_TEST(rows.sum(wrong, subject, "first exit") == 0);
-  BOOST_TEST(rows.sum("not_asked", "nothing") == 2 * asked);
+  BOOST_TEST(rows.sum("not_asked", "nothing") == 2 * asked + depths);
 }
 
 BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_judged)
