@@ -94,7 +94,9 @@ class Exit_search {
   /// Returns the largest `high` of all pairs or, of those that have a rise between their ends.
   std::optional<Rational> largest_high(const Rational* through)
   {
-    const auto [least_at, most_at] = through ? CGAL::to_interval(*through) : std::pair(0.0, 0.0);
+    // Names, since clang 14 lets no function object take a structured binding.
+    const std::pair at = through ? CGAL::to_interval(*through) : std::pair(0.0, 0.0);
+    const double least_at = at.first, most_at = at.second;
     double best = -std::numeric_limits<double>::infinity();
     std::vector<Candidate> candidates;
     const auto key = [&](const kernel::View_box& a, const kernel::View_box& b) -> std::optional<double> {
@@ -136,7 +138,8 @@ class Exit_search {
   /// Returns the least `high` of a pair that is above a rise. Requires that there is one.
   Rational least_high_above(const Rational& rise)
   {
-    const auto [least_at, most_at] = CGAL::to_interval(rise);
+    const std::pair at = CGAL::to_interval(rise);
+    const double least_at = at.first, most_at = at.second;
     double best = std::numeric_limits<double>::infinity();
     std::vector<Candidate> candidates;
     const auto key = [&](const kernel::View_box& a, const kernel::View_box& b) -> std::optional<double> {
