@@ -36,7 +36,7 @@ inline std::vector<Other_constant> other_constants()
       {"kernel/predicate/hull_separation.h", "most", choice, "lengths that the search for a direction takes"},
       {"kernel/predicate/hull_separation.h", "step", choice, "a scale of lengths beyond these"},
       {"kernel/contact/crossing_polytope.h", "tangent", choice, "from where on fractions decide"},
-      {"tetratree/door/certificate.cpp", "0x1p-20", choice, "how far beside the straight way a direction is tried"},
+      {"tetratree/door/certificate.cpp", "0x1p-20", unit, "a unit of random offsets of points to try"},
       {"tetratree/door/certificate.cpp", "0x1p-1000", unit, "a power of two, by which an exact number is scaled"},
       {"kernel/bound/relative_motion.h", "least_step", choice, "steps are multiples of it, exactly"},
       {"kernel/bound/triangle_distance.h", "0x1p-40", choice, "where the search for nearer points ends"},
