@@ -4,7 +4,7 @@
   check.py CERTIFICATE [A [B]] [--given KEY=FILE]...
   check.py -        a certificate a line on standard input; a line each: proved, refused or bad input
 
-A and B are the model files: OFF, OBJ or TetGen's .poly. `--given pose_b=poses.txt` demands that the answers are about the
+A and B are the model files: OFF, OBJ or TetGen's .poly. A body that stands in the certificate has none. `--given pose_b=poses.txt` demands that the answers are about the
 file's numbers, in order; KEY is pose_a, pose_b, from_a, to_a, from_b, to_b, point or ray. Prints a line an answer.
 Status 0: all are proved. 1: one is refused. 2: bad input.
 
@@ -49,7 +49,6 @@ class Body:
     def __init__(self, entry, path):
         need_keys(entry, "vertices faces cut groups" if "vertices" in entry else "file sha256 cut groups")
         if "vertices" in entry:
-            need_form(path is None, "the certificate has the body in itself; expected no file")
             vertices, self.faces = [vector(v, given) for v in entry["vertices"]], entry["faces"]
         else:
             need_form(path is not None, "the certificate names a model file; expected it behind the certificate")
@@ -419,8 +418,10 @@ def prove(text, models=(), asked=()):
     need_keys(certificate, "certificate bodies answers")
     need_form(certificate["certificate"] == "tetracone 1", "another version; expected tetracone 1")
     entries, answers = certificate["bodies"], certificate["answers"]
-    need_form(len(entries) in (1, 2) and len(models) <= len(entries) and answers, "there are not one or two bodies, and answers")
-    bodies = [Body(entry, models[k] if k < len(models) else None) for k, entry in enumerate(entries)]
+    need_form(len(entries) in (1, 2) and answers, "there are not one or two bodies, and answers")
+    files = iter(models)
+    bodies = [Body(entry, None if "vertices" in entry else next(files, None)) for entry in entries]
+    need_form(next(files, None) is None, "more model files than the certificate names")
     for key, path in asked:
         need_given(answers, key, path)
     for k, answer in enumerate(answers):

@@ -31,8 +31,7 @@ void run_moving_bodies(const Experiment_options& options);
 /// Measures the cost of exits and depths of a star-shaped body that overlaps itself turned, beside the first contact of
 /// the reversed translation. The bodies have 200 and 1000 triangles and, with `full`, 7172. A hundredth or a third of
 /// their size is left to go in a random direction, in `race_frames` / 50 places each. Depths are bracketed to 1e-9 and
-/// to
-/// 1e-3. Writes out/penetration.csv, one row per body, overlap and question.
+/// to 1e-3. Writes out/penetration.csv, one row per body, overlap and question.
 void run_penetration(const Experiment_options& options);
 
 /// Measures the cost of locating a point in a solid, and of the first hit of a ray. The methods are the table over

@@ -1,6 +1,5 @@
 // A subject around Simbody (Debian: libsimbody-dev): its tracker of contacts of two closed triangle meshes, in double.
-//   g++ -O2 -std=c++17 -I. -isystem /usr/include/simbody experiments/subjects/simbody.cpp -o simbody -lSimTKmath
-// -lSimTKcommon
+//   g++ -O2 -std=c++17 -I. -I/usr/include/simbody experiments/subjects/simbody.cpp -o simbody -lSimTKmath -lSimTKcommon
 #include "experiments/subjects/subject.h"
 
 #include <SimTKmath.h>

@@ -2,9 +2,9 @@
 #define TETRACONE_KERNEL_BOUND_VIEW_BOX_H
 
 #include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/number/number.h"
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/gmpxx.h>
 
 #include <array>
@@ -95,8 +95,6 @@ class Box_view {
   }
 
  private:
-  using Interval = CGAL::Interval_nt_advanced;
-
   Interval range(const Obb8& boxes, int lane, std::size_t axis) const
   {
     const auto& row = row_[axis];

@@ -37,9 +37,9 @@ class Convex_depth {
   {
     for (std::size_t body = 0; body < 2; ++body)
       for (const Rational_point& x : solid_[body]->corners) {
-        Number_point<Height_interval> about;
+        Number_point<Interval> about;
         for (std::size_t k = 0; k < 3; ++k) about[k] = CGAL::to_interval(x[k]);
-        for (const Height_interval& c : about) is_bounded_ = is_bounded_ && c.inf() >= -0x1p200 && c.sup() <= 0x1p200;
+        for (const Interval& c : about) is_bounded_ = is_bounded_ && c.inf() >= -0x1p200 && c.sup() <= 0x1p200;
         about_[body].push_back(about);
       }
     for (std::uint32_t body = 0; body < 2; ++body)
@@ -96,7 +96,7 @@ class Convex_depth {
     return N(largest - least);
   }
 
-  std::array<const std::vector<Number_point<Height_interval>>*, 2> enclosed() const { return {&about_[0], &about_[1]}; }
+  std::array<const std::vector<Number_point<Interval>>*, 2> enclosed() const { return {&about_[0], &about_[1]}; }
 
   std::vector<Candidate> products_of_edges() const
   {
@@ -112,11 +112,11 @@ class Convex_depth {
           all.push_back(c);
           continue;
         }
-        const auto n = direction<Height_interval>(c, solid_, enclosed());
-        const Height_interval between = detail::inner(n, detail::step(about_[0][e[i][0]], about_[1][f[j][0]])),
-                              length = CGAL::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        const auto n = direction<Interval>(c, solid_, enclosed());
+        const Interval between = detail::inner(n, detail::step(about_[0][e[i][0]], about_[1][f[j][0]])),
+                       length = CGAL::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
         for (const int sign : {1, -1}) {
-          const Height_interval height = sign > 0 ? between : -between;
+          const Interval height = sign > 0 ? between : -between;
           c.sign = sign;
           c.least = length.inf() > 0 ? (height / length).inf() : -HUGE_VAL;
           // A facet's plane is beyond 0, which is inside.
@@ -131,8 +131,8 @@ class Convex_depth {
   {
     if (is_bounded_) {
       const CGAL::Protect_FPU_rounding<true> upward;
-      const auto n = direction<Height_interval>(c, solid_, enclosed());
-      const Height_interval length = CGAL::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      const auto n = direction<Interval>(c, solid_, enclosed());
+      const Interval length = CGAL::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
       if (length.inf() > 0 && (width(n, enclosed()) / length).inf() > most_) return;
     }
     const std::array<const std::vector<Rational_point>*, 2> corners = {&solid_[0]->corners, &solid_[1]->corners};
@@ -143,11 +143,11 @@ class Convex_depth {
     square_ = square;
     for (std::size_t k = 0; k < 3; ++k) vector_[k] = at / dot(n, n) * n[k];
     const CGAL::Protect_FPU_rounding<true> upward;
-    most_ = CGAL::sqrt(Height_interval(CGAL::to_interval(square))).sup();
+    most_ = CGAL::sqrt(Interval(CGAL::to_interval(square))).sup();
   }
 
   std::array<const Convex_solid*, 2> solid_;
-  std::array<std::vector<Number_point<Height_interval>>, 2> about_;
+  std::array<std::vector<Number_point<Interval>>, 2> about_;
   bool is_bounded_ = true;
   double most_ = HUGE_VAL;  // upper bound of the least distance
   std::optional<Rational> square_;

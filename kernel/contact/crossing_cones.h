@@ -4,8 +4,7 @@
 #include "tetracone/kernel/contact/cone_sums.h"
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/rational_face.h"
-
-#include <CGAL/Interval_nt.h>
+#include "tetracone/kernel/number/interval.h"
 
 #include <algorithm>
 #include <array>
@@ -16,11 +15,8 @@
 #include <vector>
 
 /// The cones over the common parts of the faces of two solids, over a number type N: integers, whose sums are exact, or
-/// intervals, whose sums are enclosures. Intervals require upward rounding, and throw
-/// `CGAL::Uncertain_conversion_exception` for a sign that they do not tell.
+/// intervals, whose sums are enclosures.
 namespace tetracone::kernel {
-
-using Interval = CGAL::Interval_nt_advanced;
 
 inline int certain_sign(const mpz_class& x) { return sgn(x); }
 inline int certain_sign(const Interval& x) { return CGAL::make_certain(CGAL::sign(x)); }
@@ -70,12 +66,12 @@ class Cone_sums;
 template <>
 class Cone_sums<Interval> {
  public:
-  /// Adds volume / bottom and moment / bottom^2, where `bottom` is the product of those of the crossings.
+  /// Adds of_volume / bottom and of_moment / bottom^2, where `bottom` is the product of those of the crossings.
   void add(std::initializer_list<const Edge_crossing<Interval>*> /*crossings*/, const Interval& bottom,
-           const Interval& volume, const Number_point<Interval>& moment)
+           const Interval& of_volume, const Number_point<Interval>& of_moment)
   {
-    this->volume += volume / bottom;
-    for (std::size_t k = 0; k < 3; ++k) this->moment[k] += moment[k] / CGAL::square(bottom);
+    volume += of_volume / bottom;
+    for (std::size_t k = 0; k < 3; ++k) moment[k] += of_moment[k] / CGAL::square(bottom);
   }
 
   Interval volume = 0;

@@ -39,8 +39,8 @@ class Crossing_polytope {
   /// of the ball's, exactly the root of `square`. Translations that are asked for have coordinates of at most `most`.
   /// exactly(axis) returns what the exact pieces say of an axis, as Allowed<Rational>, and its exact direction.
   template <class Exactly>
-  Crossing_polytope(const Convex_piece<Height_interval>& a, const Convex_piece<Height_interval>& b, bool are_bounded,
-                    double radius, double most, const Exactly& exactly)
+  Crossing_polytope(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b, bool are_bounded, double radius,
+                    double most, const Exactly& exactly)
   {
     if (!are_bounded) {
       half_spaces_.push_back({{0, 0, 0}, -HUGE_VAL, HUGE_VAL});
@@ -48,9 +48,9 @@ class Crossing_polytope {
     }
     detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
       if (axis.kind == Shift_axis::Kind::edge_of_a || axis.kind == Shift_axis::Kind::edge_of_b) return true;
-      const Number_point<Height_interval> n = detail::direction(axis, a, b);
+      const Number_point<Interval> n = detail::direction(axis, a, b);
       if (detail::may_be_zero(n) && exactly.is_zero(axis)) return true;
-      const detail::Extent<Height_interval> of_a(n, a), of_b(n, b);
+      const detail::Extent<Interval> of_a(n, a), of_b(n, b);
       add(axis, 1, n, of_b.high - of_a.low, radius, most, exactly);
       add(axis, -1, n, of_a.high - of_b.low, radius, most, exactly);
       return !is_beyond_;
@@ -92,24 +92,24 @@ class Crossing_polytope {
   };
 
   template <class Exactly>
-  void add(const Shift_axis& axis, int sign, const Number_point<Height_interval>& n, const Height_interval& limit,
-           double radius, double most, const Exactly& exactly)
+  void add(const Shift_axis& axis, int sign, const Number_point<Interval>& n, const Interval& limit, double radius,
+           double most, const Exactly& exactly)
   {
     Half_space h;
     // What a product with the rounded normal may be off, for all translations that are asked for.
-    Height_interval off = 0, magnitude = 0, square = 0;
+    Interval off = 0, magnitude = 0, square = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Height_interval x = sign > 0 ? n[k] : -n[k];
+      const Interval x = sign > 0 ? n[k] : -n[k];
       h.normal[k] = x.inf() / 2 + x.sup() / 2;
-      off += Height_interval(x.sup()) - Height_interval(x.inf());
-      magnitude += Height_interval(maximum(std::abs(x.inf()), std::abs(x.sup())));
+      off += Interval(x.sup()) - Interval(x.inf());
+      magnitude += Interval(maximum(std::abs(x.inf()), std::abs(x.sup())));
       square += x * x;
     }
-    const Height_interval slack = (off + magnitude * few_roundings) * most + CGAL::abs(limit) * few_roundings;
+    const Interval slack = (off + magnitude * few_roundings) * most + CGAL::abs(limit) * few_roundings;
     h.inner = (limit - slack).inf();
     h.outer = (limit + slack).sup();
     // The largest product with a translation of the ball.
-    const Height_interval length = CGAL::sqrt(square), largest = length * radius;
+    const Interval length = CGAL::sqrt(square), largest = length * radius;
     if (largest.sup() <= limit.inf()) return;
     if (-largest.inf() > limit.sup() && length.inf() > 0) is_beyond_ = true;
     const bool is_tangent = std::abs(limit.sup() - largest.inf()) <= largest.sup() * tangent;

@@ -3,9 +3,8 @@
 
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/number/number.h"
-
-#include <CGAL/Interval_nt.h>
 
 #include <array>
 #include <cmath>
@@ -15,10 +14,8 @@
 
 /// By how much a convex polygon of A has to rise for it to meet one of B.
 ///
-/// Heights are along z, as in `Direction_view`. N is `Rational`, or `Height_interval` in a block of upward rounding.
+/// Heights are along z, as in `Direction_view`. N is `Rational`, or `Interval` in a block of upward rounding.
 namespace tetracone::kernel {
-
-using Height_interval = CGAL::Interval_nt_advanced;
 
 /// A convex polygon with area: its corners in order, of which no three are on one line.
 template <class N>
@@ -28,10 +25,10 @@ struct Convex_piece {
 };
 
 /// True where no sum or product of `Shift_range` overflows.
-inline bool is_bounded(const Convex_piece<Height_interval>& piece)
+inline bool is_bounded(const Convex_piece<Interval>& piece)
 {
   for (int k = 0; k < piece.count; ++k)
-    for (const Height_interval& x : piece.corner[k])
+    for (const Interval& x : piece.corner[k])
       if (!(x.inf() >= -0x1p200 && x.sup() <= 0x1p200)) return false;
   return true;
 }
@@ -45,16 +42,16 @@ struct Shift_axis {
 
 namespace detail {
 
-inline double lower(const Height_interval& x) { return x.inf(); }
-inline double upper(const Height_interval& x) { return x.sup(); }
+inline double lower(const Interval& x) { return x.inf(); }
+inline double upper(const Interval& x) { return x.sup(); }
 inline const Rational& lower(const Rational& x) { return x; }
 inline const Rational& upper(const Rational& x) { return x; }
 
-inline Height_interval least(const Height_interval& x, const Height_interval& y)
+inline Interval least(const Interval& x, const Interval& y)
 {
   return {minimum(x.inf(), y.inf()), minimum(x.sup(), y.sup())};
 }
-inline Height_interval largest(const Height_interval& x, const Height_interval& y)
+inline Interval largest(const Interval& x, const Interval& y)
 {
   return {maximum(x.inf(), y.inf()), maximum(x.sup(), y.sup())};
 }
@@ -223,12 +220,12 @@ class Shift_range {
 
 /// Returns the exact end `high` of two pieces that surely have one. The enclosed pieces tell which axes need not be
 /// asked: those beyond `most`, the upper bound that `Shift_range` gave.
-inline Rational exact_high(const Convex_piece<Height_interval>& a, const Convex_piece<Height_interval>& b, double most,
+inline Rational exact_high(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b, double most,
                            const Convex_piece<Rational>& exact_a, const Convex_piece<Rational>& exact_b)
 {
   std::optional<Rational> high;
   detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
-    const detail::Allowed<Height_interval> about(axis, a, b);
+    const detail::Allowed<Interval> about(axis, a, b);
     if (!about.is_axis || !(about.is_rising() || about.is_falling()) || about.last().inf() > most) return true;
     const Rational last = detail::Allowed<Rational>(axis, exact_a, exact_b).last();
     if (!high || last < *high) high = last;

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_HULL_SEPARATION_H
 #define TETRACONE_KERNEL_PREDICATE_HULL_SEPARATION_H
 
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/face_distance.h"
 

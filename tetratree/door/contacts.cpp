@@ -2,10 +2,10 @@
 
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/contacts_data.h"
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/gmpxx.h>
 
 #include <algorithm>
@@ -108,7 +108,7 @@ Enclosure enclosure(const Rational_point& x)
   return box;
 }
 
-using Interval = CGAL::Interval_nt_advanced;
+using kernel::Interval;
 
 bool is_narrow(const kernel::Number_point<Interval>& x)
 {

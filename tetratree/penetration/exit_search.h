@@ -30,8 +30,7 @@ struct Exit_heights {
 ///
 /// 1. An upright line through no edge of either body meets each solid in intervals between pieces. Intervals of A from
 ///    a0 to a1 and of B from b0 to b1 overlap for s from b0 - a1 to b1 - a0. F is the union of these open intervals
-/// over
-///    all such lines, since interiors are open.
+///    over all such lines, since interiors are open.
 /// 2. An upper end of a part of F is the largest b1 - a0 over the lines that two pieces share. That is `high` of their
 ///    `Shift_range`. The last exit is the largest `high` of all pairs. No pair has a larger one, since every piece is a
 ///    side of an interval.
@@ -107,7 +106,7 @@ class Exit_search {
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
       if (a.is_bounded && b.is_bounded) {
         const CGAL::Protect_FPU_rounding<true> upward;
-        const kernel::Shift_range<kernel::Height_interval> range(a.about, b.about);
+        const kernel::Shift_range<kernel::Interval> range(a.about, b.about);
         if (range.is_empty()) return;
         if (range.high()) {
           const double most = range.high()->most;
@@ -149,7 +148,7 @@ class Exit_search {
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
       if (a.is_bounded && b.is_bounded) {
         const CGAL::Protect_FPU_rounding<true> upward;
-        const kernel::Shift_range<kernel::Height_interval> range(a.about, b.about);
+        const kernel::Shift_range<kernel::Interval> range(a.about, b.about);
         if (range.is_empty() || (range.high() && range.high()->most < least_at)) return;
         if (range.is_certain()) {
           if (range.high()->least > best) return;

@@ -25,7 +25,7 @@ namespace tetracone::tetratree {
 
 /// A convex part of a face, as a view sees it.
 struct Seen_piece {
-  kernel::Convex_piece<kernel::Height_interval> about;
+  kernel::Convex_piece<kernel::Interval> about;
   std::optional<kernel::Convex_piece<kernel::Rational>> exact;  ///< nothing until it is needed
   bool is_bounded;                                              ///< `about` can be computed with
   Index face;
@@ -156,7 +156,7 @@ class Seen_solid {
   const covering::Polyhedron* polyhedron_;
   const Solid_sides* sides_;
   std::array<kernel::Rational, 12> map_;
-  std::array<kernel::Height_interval, 12> about_map_;
+  std::array<kernel::Interval, 12> about_map_;
   kernel::Box_view box_view_;
   std::unordered_map<Index, std::array<kernel::View_box, kernel::lanes>> boxes_;  // by node
   std::unordered_map<Index, std::vector<Seen_piece>> pieces_;                     // by face

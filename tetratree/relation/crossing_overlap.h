@@ -3,11 +3,10 @@
 
 #include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/contact/crossing_cones.h"
+#include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/predicate/face_contact.h"
 #include "tetracone/tetratree/contact/face_pairs.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
-
-#include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <array>

@@ -143,7 +143,7 @@ def build_probe(folder, options, mutant, build):
     test, units = "test" in mutant, mutant.get("units", ())
     libraries = [str(build / name) for name in ("libtruths.a", "libtetracone_repair.a", "libtetracone.a")] if test else []
     sources = [SOURCE / judge_of(mutant), *(SOURCE / unit if unit.startswith("verify/") else folder / "tetracone" / unit for unit in units)]
-    more = [f"-I{SOURCE}", f'-DTETRACONE_SOURCE_DIR="{SOURCE}"', *TEST] if test else []
+    more = [f"-I{SOURCE}", f'-DTETRACONE_SOURCE_DIR="{SOURCE}"', f'-DTETRACONE_PYTHON="{sys.executable}"', *TEST] if test else []
     objects, read = [], []
     for number, source in enumerate(sources):
         made = folder / f"unit_{number}.o"
@@ -170,7 +170,8 @@ def asked(folder, cases, mutant):
         return "killed", "does not end"
     if run.returncode == 0:
         return "survived", ""
-    lines = [line.strip() for line in (run.stdout + run.stderr).splitlines() if line.strip()]
+    said = (run.stdout + run.stderr).replace(f"{folder}/", "")
+    lines = [line.strip() for line in said.splitlines() if line.strip()]
     if "test" not in mutant:
         return "killed", lines[-1] if lines else f"ends with {run.returncode}"
     case = next((match[1] for line in lines if (match := re.search(r'error: in "([^"]+)"', line))), None)

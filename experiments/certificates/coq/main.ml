@@ -268,7 +268,7 @@ let read_body entry path =
   keys entry [] ["file"; "sha256"; "vertices"; "faces"; "turned"; "cut"; "groups"];
   let vertices, faces =
     if has entry "vertices" then begin
-      need_form (path = None && not (has entry "file" || has entry "sha256")) "the certificate has the body in itself, and names no file";
+      need_form (not (has entry "file" || has entry "sha256")) "a body stands in the certificate and names a file, too";
       (List.map (vector ~number:given) (rows (get entry "vertices")),
        List.map (fun loops -> List.map (fun l -> List.map (function Int n -> n | _ -> bad "an index is missing") (rows l)) (rows loops)) (rows (get entry "faces")))
     end else begin
@@ -686,9 +686,11 @@ let prove text_of models givens print =
   keys certificate ["certificate"; "bodies"; "answers"] [];
   need_form (get certificate "certificate" = String "tetracone 1") "another version; expected tetracone 1";
   let entries = rows (get certificate "bodies") and answers = rows (get certificate "answers") in
-  need_form (List.mem (List.length entries) [1; 2] && List.length models <= List.length entries && answers <> [])
-    "there are not one or two bodies, and answers";
-  let bodies = Array.of_list (List.mapi (fun k entry -> read_body entry (List.nth_opt models k)) entries) in
+  need_form (List.mem (List.length entries) [1; 2] && answers <> []) "there are not one or two bodies, and answers";
+  let files = ref models in
+  let next_file () = match !files with file :: rest -> files := rest; Some file | [] -> None in
+  let bodies = Array.of_list (List.map (fun entry -> read_body entry (if has entry "vertices" then None else next_file ())) entries) in
+  need_form (!files = []) "more model files than the certificate names";
   List.iter (fun word -> match String.index_opt word '=' with
     | Some k when List.mem (String.sub word 0 k) ["pose_a"; "pose_b"; "from_a"; "to_a"; "from_b"; "to_b"; "point"; "ray"] ->
         need_given answers (String.sub word 0 k) (String.sub word (k + 1) (String.length word - k - 1))

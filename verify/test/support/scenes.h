@@ -46,6 +46,13 @@ inline Vertex real_vertex(Random& random, double radius)
   return {real(random, -radius, radius), real(random, -radius, radius), real(random, -radius, radius)};
 }
 
+/// Returns the faces of two bodies as one body.
+inline Polyhedron both(Polyhedron a, const Polyhedron& b)
+{
+  append(a, b);
+  return a;
+}
+
 /// Returns the body with its faces reversed.
 inline Polyhedron turned(const Polyhedron& what)
 {

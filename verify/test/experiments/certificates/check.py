@@ -109,6 +109,15 @@ class Certificates(unittest.TestCase):
         self.assertIn("vertices", json.loads(text)["bodies"][0])
         self.assertEqual(len(list(check.prove(text))), 1)
 
+    def test_files_are_for_the_bodies_that_name_one(self):
+        turned, cube = SOURCE / "verify/test/models/frame.poly", self.folder / "cube.off"
+        text, _ = self.asked("distance", turned, cube)
+        self.assertEqual(["vertices" in body for body in json.loads(text)["bodies"]], [True, False])
+        self.assertEqual(len(list(check.prove(text, [cube]))), 1)
+        for files in ([cube, turned], []):
+            with self.assertRaises(reading.Bad):
+                list(check.prove(text, files))
+
     def test_it_is_about_the_files_and_numbers_that_are_named(self):
         text, _, files, key, given = self.certificates[0]
         self.assertTrue(lies.believed(text, files))

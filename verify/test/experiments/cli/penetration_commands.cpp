@@ -58,6 +58,14 @@ BOOST_AUTO_TEST_CASE(a_depth_is_a_bracket_and_a_vector)
     BOOST_TEST(run(words + wrong).status == 2, wrong);
 }
 
+BOOST_AUTO_TEST_CASE(a_square_that_is_not_proved_is_not_told)
+{
+  const std::string frame = in_quotes(models + "frame.poly");
+  const std::string words = "depth " + frame + " " + frame + " --exact --budget 0";
+  BOOST_TEST(run(words).out == "- 0 0 1\n");
+  BOOST_TEST(Json::parse(run(words + " --json").out)[0]["square"].is_null());
+}
+
 BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused_in_one_line)
 {
   const Files files;

@@ -27,14 +27,14 @@ Exact_piece piece(const std::vector<Rational_point>& corners, const Rational& ri
   return result;
 }
 
-Convex_piece<Height_interval> about(const Exact_piece& exact, double width)
+Convex_piece<Interval> about(const Exact_piece& exact, double width)
 {
-  Convex_piece<Height_interval> result;
+  Convex_piece<Interval> result;
   result.count = exact.count;
   for (int k = 0; k < exact.count; ++k)
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = nearest_double(exact.corner[k][i]);
-      result.corner[k][i] = Height_interval(x - width, x + width);
+      result.corner[k][i] = Interval(x - width, x + width);
     }
   return result;
 }
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(enclosed_pieces_bound_the_exact_ends)
       const CGAL::Protect_FPU_rounding<true> upward;
       const auto in_a = about(a, width), in_b = about(b, width);
       BOOST_TEST(is_bounded(in_a));
-      const Shift_range<Height_interval> range(in_a, in_b);
+      const Shift_range<Interval> range(in_a, in_b);
       BOOST_TEST(!(range.is_empty() && !exact.is_empty()));
       BOOST_TEST(!(range.is_certain() && exact.is_empty()));
       empty += range.is_empty();

@@ -34,7 +34,7 @@ bool is_proved(const Certificate& certificate)
 {
   const Temporary_file file("certificate.json", certificate.text());
   const std::string command =
-      std::string("/usr/bin/python3 -B '" TETRACONE_SOURCE_DIR "/experiments/certificates/check.py' '") +
+      std::string("'" TETRACONE_PYTHON "' -B '" TETRACONE_SOURCE_DIR "/experiments/certificates/check.py' '") +
       file.path().string() + "' >/dev/null";
   return std::system(command.c_str()) == 0;
 }

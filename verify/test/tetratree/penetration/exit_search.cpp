@@ -42,16 +42,10 @@ std::string text_of(const Polyhedron& a, const Polyhedron& b, const Direction& d
   return exits.exact_first + ' ' + exits.exact_last;
 }
 
-Polyhedron both(Polyhedron a, const Polyhedron& b)
-{
-  append(a, b);
-  return a;
-}
-
 /// A block with a square hole through it, from z = 0 to 4.
 Polyhedron block_with_hole()
 {
-  Polyhedron block = both(scenes::box({-2, -2, 0}, {2, -1, 4}), scenes::box({-2, 1, 0}, {2, 2, 4}));
+  Polyhedron block = scenes::both(scenes::box({-2, -2, 0}, {2, -1, 4}), scenes::box({-2, 1, 0}, {2, 2, 4}));
   append(block, scenes::box({-2, -1, 0}, {-1, 1, 4}));
   append(block, scenes::box({1, -1, 0}, {2, 1, 4}));
   return block;
@@ -85,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_peg_of_exact_fit_leaves_its_hole)
   const Polyhedron block = block_with_hole(), peg = scenes::box({-1, -1, -0.5}, {1, 1, 8});
   BOOST_TEST(text_of(peg, block, along_z) == "0 0");
   // A head on the peg is pressed into the block by a quarter.
-  const Polyhedron bolt = both(peg, scenes::box({-1.5, -1.5, 3.75}, {1.5, 1.5, 6}));
+  const Polyhedron bolt = scenes::both(peg, scenes::box({-1.5, -1.5, 3.75}, {1.5, 1.5, 6}));
   BOOST_TEST(text_of(bolt, block, along_z) == "1/4 1/4");
   BOOST_TEST(text_of(block, bolt, down) == "1/4 1/4");
   BOOST_TEST(text_of(bolt, block, down) == "6 6");
@@ -128,8 +122,8 @@ BOOST_AUTO_TEST_CASE(sheets_are_no_solid_and_membranes_no_border)
   BOOST_TEST(text_of(scenes::unit_cube(), with_sheet, along_x) == "1 1");
   BOOST_TEST(text_of(with_sheet, scenes::unit_cube(), along_x) == "1 1");
   // Two boxes share a wall, which lies in the inside of both together; and two overlap.
-  const Polyhedron two = both(scenes::unit_cube(), scenes::box({1, 0, 0}, {2, 1, 1})),
-                   crossed = both(scenes::box({0, 0, 0}, {3, 1, 1}), scenes::box({1, -1, 0}, {2, 2, 1}));
+  const Polyhedron two = scenes::both(scenes::unit_cube(), scenes::box({1, 0, 0}, {2, 1, 1})),
+                   crossed = scenes::both(scenes::box({0, 0, 0}, {3, 1, 1}), scenes::box({1, -1, 0}, {2, 2, 1}));
   BOOST_TEST(text_of(scenes::unit_cube(), two, along_x) == "2 2");
   BOOST_TEST(text_of(two, two, along_x) == "2 2");
   BOOST_TEST(text_of(crossed, crossed, along_x) == "3 3");

@@ -53,12 +53,6 @@ Polyhedron box_at(const Vertex& low, const Vertex& size)
   return scenes::box(low, {low[0] + size[0], low[1] + size[1], low[2] + size[2]});
 }
 
-Polyhedron both(Polyhedron a, const Polyhedron& b)
-{
-  append(a, b);
-  return a;
-}
-
 /// Two squares of opposite directions in the plane z = height.
 Polyhedron sheet(const Vertex& low, double size)
 {
@@ -132,24 +126,24 @@ BOOST_AUTO_TEST_CASE(a_cavity_is_outside)
 
 BOOST_AUTO_TEST_CASE(shells_need_not_agree)
 {
-  const Polyhedron two = both(scenes::cube(1), box_at({9, 9, 9}, {1, 1, 1}));
+  const Polyhedron two = scenes::both(scenes::cube(1), box_at({9, 9, 9}, {1, 1, 1}));
   BOOST_TEST(text_of(two, scenes::cube(2)) == "overlap -1");
   BOOST_TEST(text_of(scenes::cube(2), two) == "overlap -1");
-  BOOST_TEST(text_of(two, both(scenes::cube(2), box_at({8, 8, 8}, {3, 3, 3}))) == "inside -1");
-  BOOST_TEST(text_of(two, both(scenes::cube(2), box_at({9, 9, 9}, {1, 1, 1}))) == "covered_by 2");
+  BOOST_TEST(text_of(two, scenes::both(scenes::cube(2), box_at({8, 8, 8}, {3, 3, 3}))) == "inside -1");
+  BOOST_TEST(text_of(two, scenes::both(scenes::cube(2), box_at({9, 9, 9}, {1, 1, 1}))) == "covered_by 2");
   BOOST_TEST(text_of(two, box_at({10, 9, 9}, {1, 1, 1})) == "meet 2");
 }
 
 BOOST_AUTO_TEST_CASE(a_membrane_is_no_border)
 {
   // The winding number is 2 within the inner cube, and 1 about it.
-  const Polyhedron nested = both(scenes::cube(3), scenes::cube(2));
+  const Polyhedron nested = scenes::both(scenes::cube(3), scenes::cube(2));
   BOOST_TEST(text_of(nested, scenes::cube(3)) == "equal 2");
   BOOST_TEST(text_of(scenes::cube(2), nested) == "inside 2");
   BOOST_TEST(text_of(scenes::cube(1), nested) == "inside -1");
   BOOST_TEST(text_of(scenes::box({1, 1, 1}, {2.5, 2.5, 2.5}), nested) == "inside 1");
   BOOST_TEST(text_of(scenes::box({1, 1, 1}, {3, 2.5, 2.5}), nested) == "covered_by 2");
-  const Polyhedron glued = both(scenes::unit_cube(), box_at({1, 0, 0}, {1, 1, 1}));
+  const Polyhedron glued = scenes::both(scenes::unit_cube(), box_at({1, 0, 0}, {1, 1, 1}));
   BOOST_TEST(text_of(glued, box_at({0, 0, 0}, {2, 1, 1})) == "equal 2");
   BOOST_TEST(text_of(box_at({0.5, 0.25, 0.25}, {0.5, 0.5, 0.5}), glued) == "inside 2");
   BOOST_TEST(text_of(box_at({0.5, 0.25, 0}, {0.5, 0.5, 0.5}), glued) == "covered_by 2");
@@ -162,11 +156,11 @@ BOOST_AUTO_TEST_CASE(a_sheet_is_all_border)
   BOOST_TEST(text_of(sheet({0.25, 0.25, 0}, 0.5), unit) == "covered_by 2");
   BOOST_TEST(text_of(sheet({0.5, 0.5, 0.5}, 1), unit) == "meet 1");
   BOOST_TEST(text_of(sheet({1, 0, 1}, 1), unit) == "meet 1");
-  const Polyhedron flagged = both(unit, sheet({1, 0, 1}, 1));
+  const Polyhedron flagged = scenes::both(unit, sheet({1, 0, 1}, 1));
   BOOST_TEST(text_of(flagged, unit) == "covers 2");
   BOOST_TEST(text_of(unit, flagged) == "covered_by 2");
   BOOST_TEST(text_of(scenes::cube(4), flagged) == "contains -1");
-  BOOST_TEST(text_of(both(unit, sheet({0.25, 0.25, 0.5}, 0.5)), unit) == "equal 2");
+  BOOST_TEST(text_of(scenes::both(unit, sheet({0.25, 0.25, 0.5}, 0.5)), unit) == "equal 2");
   BOOST_TEST(text_of(sheet({0, 0, 0}, 1), sheet({0.5, 0.5, 0}, 1)) == "meet 2");
   BOOST_TEST(text_of(sheet({0, 0, 0}, 1), sheet({0, 0, 0}, 1)) == "equal 2");
   BOOST_TEST(text_of(sheet({0.25, 0.25, 0}, 0.5), sheet({0, 0, 0}, 1)) == "covered_by 2");
@@ -190,7 +184,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_are_points_of_the_solid)
   pointed.add_polygon({8, 8});
   BOOST_TEST(text_of(pointed, around) == "meet -1");
   BOOST_TEST(text_of(around, pointed) == "meet -1");
-  BOOST_TEST(text_of(both(far, sheet({0, 0, 0}, 1)), around) == "meet -1");
+  BOOST_TEST(text_of(scenes::both(far, sheet({0, 0, 0}, 1)), around) == "meet -1");
   Polyhedron within = scenes::unit_cube();
   within.vertices.push_back({0.5, 0.5, 0.5});
   within.add_polygon({7, 8});
@@ -203,7 +197,7 @@ BOOST_AUTO_TEST_CASE(holes_and_edges_of_four_faces_are_no_obstacle)
   const Polyhedron tunnel = scenes::cube_with_tunnel();
   BOOST_TEST(text_of(tunnel, tunnel) == "equal 2");
   BOOST_TEST(text_of(tunnel, scenes::moved(tunnel, 0.5)) == text_of(scenes::moved(tunnel, 0.5), tunnel));
-  const Polyhedron edge = both(scenes::unit_cube(), box_at({1, 1, 0}, {1, 1, 1}));
+  const Polyhedron edge = scenes::both(scenes::unit_cube(), box_at({1, 1, 0}, {1, 1, 1}));
   BOOST_TEST(text_of(edge, box_at({1, 0, 0}, {1, 1, 1})) == "meet 2");
   BOOST_TEST(text_of(edge, box_at({0, 0, 0}, {2, 2, 1})) == "covered_by 2");
   BOOST_TEST(text_of(edge, box_at({0.5, 0.5, 0.25}, {1, 1, 0.5})) == "overlap 1");
@@ -278,7 +272,7 @@ BOOST_AUTO_TEST_CASE(a_volume_in_general_position_is_that_of_the_cells)
     const Polyhedron a = scenes::blob(random, 3, 0.5, 1), b = scenes::blob(random, 2, 0.5, 1);
     const Pose of_a = round % 3 == 0 ? scenes::random_affine(random, 2) : scenes::random_rotation(random),
                of_b = scenes::random_rotation(random, 5, {Rational(Rational(round) / 30), Rational(1, 7), 0});
-    Query query{Body(a), Body(b)}, with_sheet{Body(both(a, sheet({5, 5, 5}, 1))), Body(b)};
+    Query query{Body(a), Body(b)}, with_sheet{Body(scenes::both(a, sheet({5, 5, 5}, 1))), Body(b)};
     const Overlap by_crossings = query.overlap(of_a, of_b), by_cells = with_sheet.overlap(of_a, of_b);
     const tetracone::Overlap_bounds bounds = query.overlap_bounds(of_a, of_b);
     const Rational volume(by_cells.exact_volume());

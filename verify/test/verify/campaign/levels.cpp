@@ -131,52 +131,44 @@ Object_subject spoiling(const char* name, Spoils_distance::Spoil spoil)
   return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_distance>(spoil); }};
 }
 
-/// The adaptive tree's relations, except for one statement.
+using Solid_spoil = void (*)(Solid_answer& answer);
+using Exit_spoil = void (*)(Exit_answer& answer);
+
+/// The adaptive tree's relations and exits, except for one statement.
 class Spoils_solids : public Running_subject {
  public:
-  using Spoil = void (*)(Solid_answer& answer);
-  explicit Spoils_solids(Spoil spoil) : spoil_(spoil), right_(solid_subjects()[0].make()) {}
+  Spoils_solids(Solid_spoil solids, Exit_spoil exits)
+      : spoil_solids_(solids), spoil_exits_(exits), right_(solid_subjects()[0].make())
+  {}
 
   Outcome operator()(const Object_case& c, Question question) override { return (*right_)(c, question); }
-  Told<Solid_answer> solids(const Object_case& c) override
-  {
-    auto told = right_->solids(c);
-    spoil_(told.answer);
-    return told;
-  }
-
- private:
-  Spoil spoil_;
-  std::unique_ptr<Running_subject> right_;
-};
-
-Object_subject spoiled_solids(const char* name, Spoils_solids::Spoil spoil)
-{
-  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_solids>(spoil); }};
-}
-
-/// The adaptive tree's exits, except for one statement.
-class Spoils_exits : public Running_subject {
- public:
-  using Spoil = void (*)(Exit_answer& answer);
-  explicit Spoils_exits(Spoil spoil) : spoil_(spoil), right_(solid_subjects()[0].make()) {}
-
-  Outcome operator()(const Object_case& c, Question question) override { return (*right_)(c, question); }
+  Told<Solid_answer> solids(const Object_case& c) override { return spoiled(right_->solids(c), spoil_solids_); }
   Told<Exit_answer> exits(const Object_case& c, const std::array<tetracone::kernel::Rational, 3>& direction) override
   {
-    auto told = right_->exits(c, direction);
-    spoil_(told.answer);
-    return told;
+    return spoiled(right_->exits(c, direction), spoil_exits_);
   }
 
  private:
-  Spoil spoil_;
+  template <class Answer>
+  static Told<Answer> spoiled(Told<Answer> told, void (*spoil)(Answer& answer))
+  {
+    spoil(told.answer);
+    return told;
+  }
+
+  Solid_spoil spoil_solids_;
+  Exit_spoil spoil_exits_;
   std::unique_ptr<Running_subject> right_;
 };
 
-Object_subject spoiled_exits(const char* name, Spoils_exits::Spoil spoil)
+Object_subject spoiled_solids(const char* name, Solid_spoil spoil)
 {
-  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_exits>(spoil); }};
+  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_solids>(spoil, [](Exit_answer&) {}); }};
+}
+
+Object_subject spoiled_exits(const char* name, Exit_spoil spoil)
+{
+  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_solids>([](Solid_answer&) {}, spoil); }};
 }
 
 Solid_relation another(Solid_relation relation) { return Solid_relation(7 - int(relation)); }
@@ -248,6 +240,7 @@ BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted
        spoiled_solids("alone", [](Solid_answer& a) { a.alone = another(a.alone); }),
        spoiled_solids("dimension", [](Solid_answer& a) { --a.overlap.contact.dimension; }),
        spoiled_solids("volume", [](Solid_answer& a) { a.overlap.volume += 1; }),
+       spoiled_solids("bounds", [](Solid_answer& a) { a.bounds.volume[1] = -1; }),
        spoiled_solids("doubles", [](Solid_answer& a) { a.centroid[2] = std::nextafter(a.centroid[2], HUGE_VAL); }),
        {"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }}});
   const std::int64_t asked = rows.ask(4);
@@ -264,7 +257,8 @@ BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted
   BOOST_TEST(rows.sum("false_negatives", "alone", "relation") == asked);
   BOOST_TEST(rows.sum("false_negatives", "dimension", "dimension") == asked);
   BOOST_TEST(rows.sum("false_negatives", "volume", "overlap") == asked);
-  BOOST_TEST(rows.sum("false_negatives", "doubles", "overlap") == asked);
+  for (const char* subject : {"bounds", "doubles"})
+    BOOST_TEST(rows.sum("false_negatives", subject, "overlap") == asked);
   for (const char* question : {"relation", "overlap"}) BOOST_TEST(rows.sum(wrong, "dimension", question) == 0);
   BOOST_TEST(rows.sum("not_asked", "nothing") == 3 * asked);
 }

@@ -3,6 +3,7 @@
 #include "verify/cases/object_placing.h"
 
 #include "tetracone/covering/check.h"
+#include "tetracone/kernel/contact/rational_map.h"
 #include "tetracone/kernel/motion/rotation_quaternion.h"
 #include "verify/families/families.h"
 #include "verify/families/ladder.h"
@@ -221,6 +222,15 @@ BOOST_AUTO_TEST_CASE(rungs_are_each_met_once_and_their_cubes_are_that_far_apart)
     const Rung rung(int(c.origin.parameter));
     if (!c.surface) continue;
     ++known;
+    // In the frame of either, the other's centre is away by the cubes' size and the gap, along one axis.
+    const kernel::Rational_map frame(c.pose_a);
+    Rational most = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Rational apart = 0;
+      for (const auto& v : c.a->vertices) apart += frame.inverse(image(c.pose_b, exact(v)))[k] - Rational(v[k]);
+      most = std::max(most, Rational(abs(Rational(apart / 8))));
+    }
+    BOOST_TEST((most == power_of_two(rung.exponent) * (1 + rung.gap()) || rung.gap() < 0));
     BOOST_TEST(*c.surface == (rung.gap() <= 0));
   }
   BOOST_TEST(known > 100);

@@ -20,13 +20,13 @@ BOOST_AUTO_TEST_CASE(exact_subjects_place_points_right_and_double_does_not)
     int wrong = 0, asked = 0;
     for (const Probe_family& family : point_families())
       for (std::uint64_t k = 0; k < 32; k += 3, ++asked) {
-        const Probe_case c = family.probe_case(2, k);
+        const Probe_case c = family.probe_case(5, k);
         const auto place = (*ask)(c);
         BOOST_TEST((place.outcome == Outcome::yes), subject.name);
         wrong += place.answer != integer_truth::Probed_body(*c.body).where(c.from);
       }
     if (subject.is_exact) BOOST_TEST(wrong == 0, subject.name);
-    if (subject.name == "double covering") BOOST_TEST(wrong > asked / 100);
+    if (subject.name == "double covering") BOOST_TEST(wrong > asked / 50);
   }
 }
 
