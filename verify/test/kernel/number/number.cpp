@@ -5,8 +5,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
+#include <bit>
 #include <cmath>
-
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -186,6 +187,26 @@ BOOST_AUTO_TEST_CASE(a_sum_of_roots_is_enclosed_by_neighbours_or_told_exactly)
   BOOST_TEST((sum({huge, Rational(2)}) == Bounds{0x1p1000, std::nextafter(0x1p1000, HUGE_VAL)}));
   const double largest = std::numeric_limits<double>::max();
   BOOST_TEST((sum({huge * huge}) == Bounds{largest, HUGE_VAL}));
+}
+
+BOOST_AUTO_TEST_CASE(a_fraction_of_many_digits_rounds_as_its_value_does)
+{
+  mpz_class many;
+  mpz_ui_pow_ui(many.get_mpz_t(), 3, 4000);
+  const Rational hair(1, many);
+  std::mt19937_64 random(7);
+  for (int k = 0; k < 400; ++k) {
+    const double low = std::bit_cast<double>(random()), high = std::nextafter(low, HUGE_VAL);
+    if (!std::isfinite(low) || !std::isfinite(high)) continue;
+    const Rational middle = (Rational(low) + Rational(high)) / 2;
+    const double even = (std::bit_cast<std::uint64_t>(low) & 1) == 0 ? low : high;
+    BOOST_TEST(nearest_double(middle - hair) == low);
+    BOOST_TEST(nearest_double(middle + hair) == high);
+    BOOST_TEST(nearest_double(shortened(middle.get_num() * many, middle.get_den() * many)) == even);
+  }
+  for (const double end : {HUGE_VAL, -HUGE_VAL})
+    BOOST_TEST(nearest_double(end > 0 ? Rational(many) : Rational(-many)) == end);
+  BOOST_TEST(nearest_double(hair) == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
