@@ -60,7 +60,7 @@ struct Wide_fraction {
   mpz_class top = 0, bottom = 1;
 
   Wide_fraction() = default;
-  Wide_fraction(mpz_class top, mpz_class bottom) : top(std::move(top)), bottom(std::move(bottom)) {}
+  Wide_fraction(mpz_class numerator, mpz_class divisor) : top(std::move(numerator)), bottom(std::move(divisor)) {}
   Wide_fraction(const Rational& x) : top(x.get_num()), bottom(x.get_den()) {}
 
   /// Divides the common factor out.

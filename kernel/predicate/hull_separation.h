@@ -32,7 +32,7 @@ struct Hull_points {
 inline Exact_number round_together(Hull_points& a, Hull_points& b)
 {
   Exact_number factor = 1;
-  const auto largest = [&] {
+  const auto largest_of_all = [&] {
     double largest = 0;
     for (Hull_points* hull : {&a, &b}) {
       hull->rounded.resize(hull->exact.size());
@@ -48,7 +48,7 @@ inline Exact_number round_together(Hull_points& a, Hull_points& b)
   // steps; where all points are 0, no step helps.
   constexpr double least = 0x1p-200, most = 0x1p200, step = 0x1p300;
   for (int k = 0; k < 40; ++k) {
-    const double size = largest();
+    const double size = largest_of_all();
     if (size >= least && size <= most) break;
     factor = factor * Exact_number(size > most ? 1 / step : step);
   }
@@ -130,7 +130,7 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, Exact_vector recession)
 {
   // Powers of 2 make the axes about as long as 1.
-  const auto unit = [](Exact_vector axis) {
+  const auto unit = [](const Exact_vector& axis) {
     double largest = 0;
     for (const Exact_number& x : axis) largest = maximum(largest, std::abs(x.to_double()));
     return detail::scaled(axis, Exact_number(std::ldexp(1.0, -std::ilogb(largest))));

@@ -70,7 +70,9 @@ class Group_tree {
   {
     std::vector<Box_id> members;
     const Index child = tree_->child(box);
-    for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) members.emplace_back(child, lane);
+    const int count = tree_->node(child).boxes.lane_count;
+    members.reserve(std::size_t(count));
+    for (int lane = 0; lane < count; ++lane) members.emplace_back(child, lane);
     return members;
   }
 
