@@ -113,6 +113,20 @@ BOOST_AUTO_TEST_CASE(an_edge_that_bounds_nothing_is_a_side)
   BOOST_TEST(flaw(slit, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}) == "");
 }
 
+BOOST_AUTO_TEST_CASE(a_corner_of_the_face_before_is_not_this_ones)
+{
+  // A roof over the square, by the apex of a face that stands on it.
+  Polyhedron wall;
+  wall.vertices = face(square, {{0, 1, 2, 3}}).vertices;
+  wall.vertices.push_back({1, 1, 9});
+  wall.add_polygon({0, 2, 4});
+  wall.add_polygon({0, 1, 2, 3});
+  const Triangles roof{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  Face_cover cover(wall);
+  BOOST_TEST(cover.flaw(0, Triangles{{0, 2, 4}}).value_or("") == "");
+  BOOST_TEST(cover.flaw(1, roof).value_or("") == "its triangle 0 1 4 has corner 4, which is not the face's");
+}
+
 BOOST_AUTO_TEST_CASE(the_face_is_named)
 {
   const Polyhedron cube = scenes::unit_cube();

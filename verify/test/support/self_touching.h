@@ -60,10 +60,27 @@ inline Polyhedron soup_of_triangles(Random& random, int faces, int radius)
   return soup;
 }
 
+/// Returns two faces that share a segment of the x axis. Its ends are common edges; the part between them is not.
+inline Polyhedron gap_between_common_edges()
+{
+  Polyhedron body;
+  body.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+  for (const int axis : {1, 2}) {
+    const Index first = Index(body.vertices.size());
+    for (const auto& [x, height] : {std::pair(1.0, -1.0), {2.0, -1.0}, {3.0, 1.0}, {0.0, 1.0}}) {
+      body.vertices.push_back({x, 0, 0});
+      body.vertices.back()[std::size_t(axis)] = height;
+    }
+    body.add_polygon({0, 1, first, first + 1, 2, 3, first + 2, first + 3});
+  }
+  return body;
+}
+
 /// Returns closed bodies, bodies with copies of themselves moved by halves, and soups.
 inline std::vector<Named> self_touching_bodies(Random& random, int soups)
 {
   std::vector<Named> bodies = bodies_of_any_size();
+  bodies.push_back({"gap between common edges", gap_between_common_edges()});
   for (const Named& of : closed_bodies()) {
     Vertex shift;
     for (double& x : shift) x = 0.5 * integer(random, 0, 2);

@@ -85,6 +85,29 @@ BOOST_AUTO_TEST_CASE(a_plane_parts_what_lands_together_after_a_turn)
   check_sides(plane);
 }
 
+BOOST_AUTO_TEST_CASE(a_vertex_that_leaves_the_plane_is_held_by_the_closed_side_alone)
+{
+  // B is sheared as it comes down: its points at x = 1, z = -1 are on A's plane at the start, and above it later on.
+  const Pose above = Pose::translation(0, 0, 1), sheared(std::array<double, 12>{1, 0, 0, 0, 0, 1, 0, 0, 3, 0, 1, -1});
+  const Pair_motion motion(rests, Body_motion::linear(above, sheared));
+  std::optional<Time_root> time = first_contact(motion, Moving_kind::vertex_face, 1, on_face);
+  BOOST_REQUIRE(time.has_value());
+  Times_before times({0, 0}, *time);
+  Contact_plane plane(times.over(motion), times, Moving_kind::vertex_face, 1, on_face);
+  BOOST_REQUIRE(plane.is_defined());
+  BOOST_TEST(!plane.holds(1, {1, 0, -1}));
+  BOOST_TEST(plane.holds(1, {1, 0, -0.75}));
+  // A's triangle in B's place: B's side is the closed one.
+  const Pair_motion turned(Body_motion::linear(above, sheared), rests);
+  time = first_contact(turned, Moving_kind::vertex_face, 0, on_face);
+  BOOST_REQUIRE(time.has_value());
+  Times_before until({0, 0}, *time);
+  Contact_plane other(until.over(turned), until, Moving_kind::vertex_face, 0, on_face);
+  BOOST_REQUIRE(other.is_defined());
+  BOOST_TEST(!other.holds(0, {1, 0, -1}));
+  BOOST_TEST(other.holds(1, {1, 0, 0}));
+}
+
 BOOST_AUTO_TEST_CASE(parallel_edges_and_vertices_that_stay_in_the_plane_have_none)
 {
   const Pair_motion motion(rests, shift({0, 0, 1}, {0, 0, -1}));

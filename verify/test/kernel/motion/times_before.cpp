@@ -89,4 +89,17 @@ BOOST_AUTO_TEST_CASE(a_root_of_a_product_is_shared_with_forms_of_another)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_divisor_without_the_root_does_not_take_its_place)
+{
+  // (v^2 - 2) (v + 3), and v + 3 times a form with a zero so near to the root that bounds do not part them.
+  const Integer_form product = irrational * form<2>({3, 1});
+  for (const Integer& near : {Integer("585786437626904951"), Integer("585786437626904952")}) {
+    std::vector<Time_root> root = roots_within(product);
+    BOOST_REQUIRE(root.size() == 1u);
+    Times_before times({0, 0}, root[0]);
+    BOOST_TEST(sign(times, form<2>({3, 1}) * zero_at(near, Integer("1000000000000000000"))) != CGAL::POSITIVE);
+    BOOST_TEST(sign(times, product) == CGAL::NEGATIVE);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,7 @@
 #include "tetracone/tetratree/door/checksum.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "tetracone/tetratree/fast/bvh8_node.h"
 #include "verify/fuzz/scratch_file.h"
 #include "verify/test/support/forged_body.h"
 #include "verify/test/support/said.h"
@@ -41,6 +42,7 @@ using tetracone::Query;
 using tetracone::Question;
 using tetracone::read_body;
 using tetracone::save_body;
+using tetracone::tetratree::Bvh8_node;
 
 namespace {
 
@@ -376,7 +378,38 @@ BOOST_AUTO_TEST_CASE(what_is_forged_is_said)
     BOOST_TEST(line(nodes + 384 + 32 * i, extent[i] - 0x1p-20F * std::ranges::max(extent)) ==
                ": lane 0 of node 0 has a box that does not hold its elements" + as_saved);
   BOOST_TEST(line(nodes + 96, 2.0f) == ": lane 0 of node 0 has axes that are not orthonormal" + as_saved);
-  BOOST_TEST(line(nodes + 492, 1e30f) == ": lane 0 of node 0 has a box of other numbers than boxes have" + as_saved);
+  for (const float reach : {1e30f, 0.5f})
+    BOOST_TEST(line(nodes + 492, reach) == ": lane 0 of node 0 has a box of other numbers than boxes have" + as_saved);
+  BOOST_TEST(line(nodes + offsetof(Bvh8_node, child), 2) == ": lane 0 of node 0 does not lead to node 1" + as_saved);
+  BOOST_TEST(line(nodes + offsetof(Bvh8_node, first), 1u) == ": lane 0 of node 0 has other elements" + as_saved);
+}
+
+BOOST_AUTO_TEST_CASE(a_leaf_says_where_its_triangle_lies)
+{
+  const verify::Temporary_file file("leaf.body", "");
+  save_body(Body(scenes::triangulated(scenes::unit_cube())), file.path());
+  const std::string whole = bytes_of(file.path());
+  constexpr std::size_t nodes = 65536;
+  int leaves = 0, coded = 0;
+  for (std::size_t at = nodes; at + sizeof(Bvh8_node) <= whole.size(); at += sizeof(Bvh8_node)) {
+    Bvh8_node node;
+    std::memcpy(static_cast<void*>(&node), &whole[at], sizeof node);
+    for (int lane = 0; lane < node.boxes.lane_count; ++lane) {
+      if (!node.is_leaf(lane)) continue;
+      ++leaves;
+      const auto code = Bvh8_node::apex(node.child[std::size_t(lane)]);
+      if (code == 0) continue;
+      ++coded;
+      // A quarter of the box's side is beyond every tolerance.
+      std::string bytes = whole;
+      const auto other = tetracone::kernel::Apex_code(code > 0x8000 ? code - 0x4000 : code + 0x4000);
+      put(bytes, at + offsetof(Bvh8_node, child) + 4 * std::size_t(lane), Bvh8_node::leaf(other));
+      BOOST_TEST(refusal(file.path(), verify::forged(bytes)).ends_with(
+          " has a triangle elsewhere in its box; expected a file that `tetracone save` or save_body wrote"));
+    }
+  }
+  BOOST_TEST(leaves == 12);
+  BOOST_TEST(coded > 6);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_saved_leaves_nothing)
