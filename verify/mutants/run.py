@@ -2,7 +2,7 @@
 """Plants each error of mutants.json in a copy of the headers and asks probe.cpp whether it is noticed; or, where the list names one, a test
 of verify/test: of headers whose errors are hidden from all answers by what stands behind them.
 
-usage: run.py BUILD [--out FOLDER] [--only WORD] [--jobs N] [--csv FILE]
+usage: run.py BUILD [--out FOLDER] [--only WORD] [--left] [--jobs N] [--csv FILE]
 
 BUILD is a built tree with the target `mutant_cases`, which writes the cases and their truths. A mutant is killed when the probe finds a
 wrong answer, or the test fails, or either does not end. A mutant with the field `harmless` survives, for the reason that the field gives.
@@ -14,8 +14,9 @@ Each result is kept in FOLDER (default BUILD/mutants) as soon as it is known, wi
 of the objects of the library that it was linked with. It counts as long as these are the same: what was stopped goes on, and after a change
 those are judged again whose judge has compiled what has changed. N mutants (default: the number of cores) are tried at a time.
 
-FILE gets a row a mutant, in the list's order, when all of the list was judged: when, from which version and commit, by what, and what was
-found. On two cores the list takes about an hour.
+FILE gets a row a mutant, in the list's order: when it was judged, from which version and commit, by what, and what was found. Rows of mutants
+that are not asked about stay. --left asks about those that FILE has no row of, or that survived there. On two cores the list takes about an
+hour.
 """
 import argparse
 import collections
@@ -210,14 +211,28 @@ def write_cases(cases, program):
     write(cases, run.stdout)
 
 
-def table(mutants, found):
+COLUMNS = ("date", "version", "commit", "file", "name", "judge", "outcome", "by")
+
+
+def rows_of(path):
+    """The rows of a table, by names of mutants; none where there is no table."""
+    if not (path and path.exists()):
+        return {}
+    with path.open(newline="") as file:
+        return {row["name"]: row for row in csv.DictReader(file)}
+
+
+def row_of(mutant, result):
+    harmless = "harmless" in mutant and result["outcome"] == "survived"
+    return dict(zip(COLUMNS, (result["date"], result["version"], result["commit"], mutant["file"], mutant["name"], judge_of(mutant),
+                              "harmless" if harmless else result["outcome"], mutant["harmless"] if harmless else result["by"])))
+
+
+def table(rows):
     text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\n")
-    rows.writerow(("date", "version", "commit", "file", "name", "judge", "outcome", "by"))
-    for mutant, result in zip(mutants, found):
-        harmless = "harmless" in mutant and result["outcome"] == "survived"
-        rows.writerow((result["date"], result["version"], result["commit"], mutant["file"], mutant["name"], judge_of(mutant),
-                       "harmless" if harmless else result["outcome"], mutant["harmless"] if harmless else result["by"]))
+    writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
     return text.getvalue()
 
 
@@ -227,14 +242,18 @@ def main():
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--only", default="", help="mutants whose name has this word")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--csv", type=pathlib.Path, help="where all results are written, of the whole list")
+    parser.add_argument("--csv", type=pathlib.Path, help="the table of all results; rows of what is not asked about stay")
+    parser.add_argument("--left", action="store_true", help="mutants that the table has no row of, or that survived")
     args = parser.parse_args()
-    if args.csv and args.only:
-        parser.error("--csv: expected no --only: the table is of the whole list")
+    if args.left and not args.csv:
+        parser.error("--left: no table; expected --csv FILE")
+    rows = rows_of(args.csv)
     out = (args.out or args.build / "mutants").resolve()
     out.mkdir(parents=True, exist_ok=True)
 
-    mutants = [m for m in json.loads((HERE / "mutants.json").read_text()) if args.only in m["name"]]
+    all_mutants = json.loads((HERE / "mutants.json").read_text())
+    settled = [name for name, row in rows.items() if args.left and row["outcome"] in ("killed", "harmless")]
+    mutants = [m for m in all_mutants if args.only in m["name"] and m["name"] not in settled]
     for mutant in mutants:
         planted((SOURCE / mutant["file"]).read_text(), mutant)
         for unit in mutant.get("units", ()):
@@ -293,7 +312,8 @@ def main():
     print(f"{len(mutants)} mutants: {', '.join(f'{n} {what}' for what, n in sorted(count.items()))}; {bad} not as expected, judges without an "
           f"error included; {time.monotonic() - start:.0f} s, {seconds / max(1, len(found)):.0f} s a mutant when it was judged")
     if args.csv and count["does not compile"] == 0:
-        write(args.csv, table(mutants, found))
+        rows |= {mutant["name"]: row_of(mutant, result) for mutant, result in zip(mutants, found)}
+        write(args.csv, table(rows[m["name"]] for m in all_mutants if m["name"] in rows))
     return 1 if bad else 0
 
 
