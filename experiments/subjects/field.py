@@ -54,7 +54,7 @@ KNOWS = {"FCL OBBRSS": "surface", "FCL AABB": "surface", "ODE trimesh": "surface
          "libccd MPR": "solid"}
 DEBIAN = {"gts": ("gts.h", "libgts-dev", 20, "pkg-config --cflags --libs gts"),
           "simbody": ("simbody/SimTKmath.h", "libsimbody-dev", 17, "echo -isystem /usr/include/simbody -lSimTKmath -lSimTKcommon"),
-          "sfcgal": ("SFCGAL/version.h", "libsfcgal-dev", 20, "echo -lSFCGAL -lgmp -lmpfr")}
+          "sfcgal": ("SFCGAL/version.h", "libsfcgal-dev", 20, "echo -DCGAL_USE_GMPXX=1 -lSFCGAL -lgmpxx -lgmp -lmpfr")}
 OF_NPM = "node "
 NOT_NEAR, EXACTLY = 9999, -9999  # of the table `tally`
 
@@ -85,7 +85,10 @@ def compile_debian(folder):
             print(f"skipped: {name}, which needs {package}")
         elif not os.path.exists(made) or os.path.getmtime(made) < os.path.getmtime(source):
             words = subprocess.run(flags, shell=True, check=True, capture_output=True, text=True).stdout.split()
-            run(["g++", "-O2", f"-std=c++{standard}", "-I", ROOT, source, "-o", made, *words])
+            try:
+                run(["g++", "-O2", f"-std=c++{standard}", "-I", ROOT, source, "-o", made, *words])
+            except subprocess.CalledProcessError:
+                print(f"skipped: {name}, which does not compile with this {package}")
 
 
 def programs(npm, binaries):

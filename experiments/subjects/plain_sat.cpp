@@ -8,8 +8,9 @@ using Eigen::Matrix3d, Eigen::Vector3d, nlohmann::json;
 
 double number(const json& n)  // a fraction "n/d" is rounded
 {
-  const std::string text = n.is_string() ? std::string(n) : n.dump() + "/1";
-  return std::stod(text) / std::stod(text.substr(text.find('/') + 1));
+  if (n.is_number()) return n;
+  const std::string text = n;
+  return double(std::strtold(text.c_str(), nullptr) / std::strtold(&text[text.find('/') + 1], nullptr));
 }
 
 std::vector<Matrix3d> placed(const json& model, const json& pose)  // fans of triangles; none where a face has a hole

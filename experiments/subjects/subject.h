@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -30,6 +31,7 @@ struct Ask {
   std::string question;                                   ///< "surface" or "solid"
   std::array<double, 12> pose_a, pose_b;                  ///< row-major 3x4; fractions are rounded
   std::optional<std::array<double, 7>> rigid_a, rigid_b;  ///< quaternion w x y z and translation; nothing: not rigid
+  json line;                                              ///< as it was asked, with poses of fractions
 };
 
 inline Point image(const std::array<double, 12>& m, const Point& p)
@@ -57,13 +59,17 @@ inline std::optional<Body> body_of(const json& model)
   return body;
 }
 
+/// Returns a pose's number. Fractions are rounded; their integers may be beyond the doubles.
+inline double number(const json& n)
+{
+  if (n.is_number()) return n;
+  const std::string text = n;
+  return double(std::strtold(text.c_str(), nullptr) / std::strtold(&text[text.find('/') + 1], nullptr));
+}
+
 inline Ask ask_of(const json& line)
 {
-  const auto number = [](const json& n) {
-    const std::string text = n.is_string() ? std::string(n) : n.dump() + "/1";
-    return std::stod(text) / std::stod(text.substr(text.find('/') + 1));
-  };
-  Ask ask{line["question"], {}, {}, {}, {}};
+  Ask ask{line["question"], {}, {}, {}, {}, line};
   for (std::size_t k = 0; k < 12; ++k) {
     ask.pose_a[k] = number(line["pose_a"][k]);
     ask.pose_b[k] = number(line["pose_b"][k]);

@@ -404,8 +404,10 @@ BOOST_AUTO_TEST_CASE(a_leaf_says_where_its_triangle_lies)
       std::string bytes = whole;
       const auto other = tetracone::kernel::Apex_code(code > 0x8000 ? code - 0x4000 : code + 0x4000);
       put(bytes, at + offsetof(Bvh8_node, child) + 4 * std::size_t(lane), Bvh8_node::leaf(other));
-      BOOST_TEST(refusal(file.path(), verify::forged(bytes)).ends_with(
-          " has a triangle elsewhere in its box; expected a file that `tetracone save` or save_body wrote"));
+      BOOST_TEST(
+          refusal(file.path(), verify::forged(bytes))
+              .ends_with(
+                  " has a triangle elsewhere in its box; expected a file that `tetracone save` or save_body wrote"));
     }
   }
   BOOST_TEST(leaves == 12);
