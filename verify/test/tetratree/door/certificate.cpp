@@ -113,6 +113,8 @@ BOOST_AUTO_TEST_CASE(a_wrong_answer_gets_no_certificate)
     BOOST_CHECK_THROW(pair.collide(Pose(), Pose(), Question::solid, wrong), Error);
   BOOST_CHECK_THROW(one.inside({"1/2", "1/2", "1/2"}, Location::outside), Error);
   BOOST_CHECK_THROW(one.inside({"1/2", "1/2", "1/2"}, Location::on_surface), Error);
+  for (const Location wrong : {Location::inside, Location::outside})
+    BOOST_CHECK_THROW(one.inside({"1/2", "1/2", "1"}, wrong), Error);
   BOOST_CHECK_THROW(one.first_hit(Ray{{-1, 0.5, 0.25}, {1, 0, 0}}, std::nullopt), Error);
   // The questions of the other kind of certificate.
   BOOST_CHECK_THROW(one.collide(Pose(), far, Question::solid, Relation::apart), Error);

@@ -94,8 +94,9 @@ BOOST_AUTO_TEST_CASE(of_two_corners_that_doubles_call_equally_near_the_nearer_on
   const Pose up = Pose::translation(0, 0, 1);
   const Body slab(scenes::triangulated(scenes::box({-8, -8, -1}, {8, 8, 0})));
   for (const auto& [first, second] : {std::array{low, high}, std::array{high, low}}) {
-    Polyhedron spikes = scenes::tetrahedron({0, 0, first}, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1});
-    scenes::append(spikes, scenes::tetrahedron({4, 0, second}, {5, 0, 1}, {4, 1, 1}, {3, -1, 1}));
+    // Both are over one triangle of the slab.
+    Polyhedron spikes = scenes::tetrahedron({-2, -5, first}, {-1, -5, 1}, {-2, -4, 1}, {-3, -6, 1});
+    scenes::append(spikes, scenes::tetrahedron({2, -5, second}, {3, -5, 1}, {2, -4, 1}, {1, -6, 1}));
     const Body body(spikes);
     BOOST_TEST(Query(body, slab).distance(up, Pose()) == 1.0);
     BOOST_TEST(Query(slab, body).distance(Pose(), up) == 1.0);
