@@ -25,7 +25,8 @@ SUBJECTS = {"tetracone, exact": race.OURS, "the same tree in double": race.IN_DO
             "the paper's tree as published, in double": race.PUBLISHED, "FCL OBBRSS": race.FCL, "ODE trimesh": "ODE trimesh",
             "Bullet GImpact": "Bullet GImpact", "CGAL, EPICK": race.EPICK, "CGAL, EPECK": race.EPECK}
 CONTACTS = {"motion": ("circular", "contour"), "shared face, edge, vertex": ("shared face", "shared edge", "shared vertex"),
-            "the same, poses rounded": ("shared face (rounded poses)", "shared edge (rounded poses)", "shared vertex (rounded poses)")}
+            "the same, poses rounded": ("shared face (rounded poses)", "shared edge (rounded poses)", "shared vertex (rounded poses)"),
+            "one ulp apart": ("gap of one ulp",)}
 
 
 def spans(text):
