@@ -6,6 +6,8 @@
 #include "tetracone/kernel/number/floating_point.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -102,6 +104,65 @@ class Line_contact {
   std::vector<Rational_point> stops_;
 };
 
+/// A point where an edge of a face goes through the plane of another.
+struct Plane_crossing {
+  Rational_point at;
+  int of;    // 0: an edge of p, 1: of q
+  int turn;  // +1 where the edge comes from the plane's negative side
+};
+
+/// Adds the points where edges of a face go through a plane. False where a corner is on the plane.
+inline bool add_crossings(const Rational_face& face, int of, const Rational_face& plane,
+                          std::vector<Plane_crossing>& found)
+{
+  for (const auto& [from, to] : face.edges()) {
+    const Rational start = plane.beyond(from), end = plane.beyond(to);
+    if (sgn(start) == 0 || sgn(end) == 0) return false;
+    if (sgn(start) != sgn(end)) found.push_back({between(from, to, start / (start - end)), of, sgn(end)});
+  }
+  return true;
+}
+
+/// Returns what two faces share that have no corner on the plane of the other, and no common point of edges: segments
+/// in their insides, in the order of the first coordinate that differs. Nothing for other faces. It looks at no point
+/// twice, which `Line_contact` does to find features.
+inline std::optional<std::vector<Rational_piece>> crossing_pieces(const Rational_face& p, const Rational_face& q)
+{
+  std::vector<Plane_crossing> on_line;
+  std::vector<Rational_piece> pieces;
+  if (!add_crossings(p, 0, q, on_line)) return std::nullopt;
+  const std::size_t of_p = on_line.size();
+  if (of_p == 0) return pieces;
+  if (!add_crossings(q, 1, p, on_line)) return std::nullopt;
+  if (of_p == on_line.size()) return pieces;
+  std::ranges::sort(on_line, [](const Plane_crossing& x, const Plane_crossing& y) { return x.at < y.at; });
+  const auto meet = [](const Plane_crossing& x, const Plane_crossing& y) { return x.at == y.at; };
+  if (std::ranges::adjacent_find(on_line, meet) != on_line.end()) return std::nullopt;
+  std::array<int, 2> winding = {0, 0};
+  const Rational_point* start = nullptr;
+  for (const Plane_crossing& crossing : on_line) {
+    winding[std::size_t(crossing.of)] += crossing.turn;
+    const bool is_common = winding[0] != 0 && winding[1] != 0;
+    if (!is_common && start)
+      pieces.push_back({Piece::segment, Feature::interior, Feature::interior, {{*start, crossing.at}}});
+    start = is_common ? start ? start : &crossing.at : nullptr;
+  }
+  return pieces;
+}
+
+/// Returns what two faces share on the line of their planes, along `direction`.
+inline std::vector<Rational_piece> pieces_on_line(const Rational_face& p, const Rational_face& q,
+                                                  const Rational_point& direction)
+{
+  // The line's origin is its point nearest to o. `down` leads there from o, in p's plane and across the line.
+  const Rational_point down = cross(direction, p.normal());
+  const Rational_point& o = p.origin();
+  const Rational t = -q.beyond(o) / dot(q.normal(), down);
+  Rational_point origin;
+  for (int k = 0; k < 3; ++k) origin[k] = o[k] + t * down[k];
+  return Line_contact(p, q, origin, direction)();
+}
+
 }  // namespace detail
 
 /// Returns the set that two closed faces share, in maximal pieces: polygons where they are in one plane, then segments
@@ -114,18 +175,13 @@ inline std::vector<Rational_piece> face_contact(const Rational_face& p, const Ra
     const Rational_point direction = is_zero(line.along()) ? Rational_point{1, 0, 0} : line.along();
     return detail::Line_contact(p, q, line.origin(), direction)();
   }
+  if (auto pieces = detail::crossing_pieces(p, q)) return *std::move(pieces);
   const Rational_point direction = cross(p.normal(), q.normal());
   if (is_zero(direction)) {
     if (p.beyond(q.origin()) != 0) return {};
     return detail::Coplanar_arrangement(p, q).pieces();
   }
-  // The line's origin is its point nearest to o. `down` leads there from o, in p's plane and across the line.
-  const Rational_point down = cross(direction, p.normal());
-  const Rational_point& o = p.origin();
-  const Rational t = -q.beyond(o) / dot(q.normal(), down);
-  Rational_point origin;
-  for (int k = 0; k < 3; ++k) origin[k] = o[k] + t * down[k];
-  return detail::Line_contact(p, q, origin, direction)();
+  return detail::pieces_on_line(p, q, direction);
 }
 
 }  // namespace tetracone::kernel

@@ -121,6 +121,43 @@ BOOST_AUTO_TEST_CASE(faces_with_holes_share_several_pieces)
   BOOST_TEST(itself[0].loops.size() == 2u);
 }
 
+BOOST_AUTO_TEST_CASE(edges_that_cross_planes_bound_what_points_on_the_line_tell)
+{
+  // Loops that cross themselves, some with a second loop, in planes that are not parallel.
+  std::mt19937 random(2);
+  std::map<std::size_t, int> seen;
+  int left = 0;
+  for (int tried = 0; tried < 4000; ++tried) {
+    std::vector<Rational_face> faces;
+    for (const auto& [u, v] :
+         {std::pair(Vertex{1, 0, 0.25}, Vertex{0, 1, -0.5}), {Vertex{1, 0.5, 0}, Vertex{0.25, 0, 1}}}) {
+      std::vector<std::vector<Vertex>> loops(1 + random() % 2);
+      for (auto& loop : loops)
+        for (std::size_t k = 3 + random() % 4; k > 0; --k) {
+          const double s = double(random() % 16) - 7.5, t = double(random() % 16) - 7.5;
+          loop.push_back({s * u[0] + t * v[0], s * u[1] + t * v[1], s * u[2] + t * v[2]});
+        }
+      faces.push_back(face_of(loops));
+    }
+    const Rational_face &p = faces[0], &q = faces[1];
+    const auto pieces = detail::crossing_pieces(p, q);
+    if (!p.has_plane() || !q.has_plane() || !pieces) {
+      ++left;
+      continue;
+    }
+    const auto expected = detail::pieces_on_line(p, q, cross(p.normal(), q.normal()));
+    ++seen[expected.size()];
+    BOOST_TEST_REQUIRE(pieces->size() == expected.size(), "faces " << tried);
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      BOOST_TEST(((*pieces)[k].kind == expected[k].kind), "faces " << tried);
+      BOOST_TEST(((*pieces)[k].in_p == expected[k].in_p && (*pieces)[k].in_q == expected[k].in_q), "faces " << tried);
+      BOOST_TEST(((*pieces)[k].loops == expected[k].loops), "faces " << tried);
+    }
+  }
+  BOOST_TEST(left < 2000);
+  for (std::size_t count = 0; count <= 3; ++count) BOOST_TEST(seen[count] > 20, count << " pieces");
+}
+
 BOOST_AUTO_TEST_CASE(faces_without_a_plane_share_points_and_segments)
 {
   const Rational_face stick = face_of({{{0, 0, 0}, {2, 2, 2}}}), point = face_of({{{1, 1, 1}}});
