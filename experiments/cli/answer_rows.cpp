@@ -26,10 +26,7 @@ std::string rows_as_csv(const std::vector<Answer_row>& rows, bool time, bool rel
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Answer_row& row = rows[k];
     text += std::to_string(k) + "," + answer_text(row.answer, relation);
-    if (time)
-      text += "," + std::to_string(static_cast<long long>(row.nanoseconds)) + "," +
-              std::to_string(row.counts.bounding_tests()) + "," + std::to_string(row.counts.primitive_tests()) + "," +
-              std::to_string(row.counts.exact_fallbacks);
+    if (time) text += work_columns(row.nanoseconds, row.counts);
     text += "\n";
   }
   return text;
@@ -80,6 +77,12 @@ std::string features_as_json(const std::vector<std::vector<Feature_pair>>& featu
 }
 
 }  // namespace
+
+std::string work_columns(double nanoseconds, const tetratree::Query_statistics& work)
+{
+  return "," + std::to_string(static_cast<long long>(nanoseconds)) + "," + std::to_string(work.bounding_tests()) + "," +
+         std::to_string(work.primitive_tests()) + "," + std::to_string(work.exact_fallbacks);
+}
 
 Json json_number(double x) { return std::isfinite(x) ? Json(x) : Json(kernel::shortest(x)); }
 

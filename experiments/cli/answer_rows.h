@@ -35,6 +35,9 @@ std::string answer_rows(const std::vector<Answer_row>& rows, const Row_format& f
 std::string answer_columns(const std::vector<std::string>& kernels, const std::vector<std::vector<Answer_row>>& columns,
                            const Row_format& format);
 
+/// Returns the columns ns, bounding_tests, primitive_tests and exact_fallbacks, each behind a comma.
+std::string work_columns(double nanoseconds, const tetratree::Query_statistics& work);
+
 /// Returns a number in JSON; infinity, which JSON lacks, is the string "inf" or "-inf".
 nlohmann::ordered_json json_number(double x);
 

@@ -307,10 +307,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
   if (!options.lists())
     text = columns.size() == 1 ? answer_rows(columns.front(), options.format())
                                : answer_columns(kernels, columns, options.format());
-  if (options.csv.empty())
-    std::cout << text;
-  else
-    write_whole(options.csv, text);
+  write_answers(options.csv, text);
   if (!options.curves.empty()) write_whole(options.curves, curves);
   if (!options.certificate.empty()) write_whole(options.certificate, proofs);
   if (failed) throw CLI::RuntimeError(1);

@@ -1,6 +1,7 @@
 #include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
+#include "experiments/cli/answer_rows.h"
 #include "experiments/cli/certificate_file.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <string>
@@ -95,10 +95,7 @@ class Asking {
   {
     if (options_.csv.empty()) return answer;
     std::string row = std::to_string(k) + "," + answer.substr(0, answer.size() - 1);
-    const Query_statistics done = query_.statistics();
-    if (options_.time)
-      row += "," + std::to_string(static_cast<long long>(ns)) + "," + std::to_string(done.bounding_tests()) + "," +
-             std::to_string(done.primitive_tests()) + "," + std::to_string(done.exact_fallbacks);
+    if (options_.time) row += work_columns(ns, query_.statistics());
     return row + "\n";
   }
 
@@ -155,10 +152,7 @@ void run_distance(const Distance_options& options)
   const std::string text = Asking(options, query, models, poses).text();
   if (!options.certificate.empty())
     write_whole(options.certificate, certificate(options, query, models, poses, *question));
-  if (options.csv.empty())
-    std::cout << text;
-  else
-    write_whole(options.csv, text);
+  write_answers(options.csv, text);
 }
 
 }  // namespace

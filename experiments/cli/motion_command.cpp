@@ -1,6 +1,7 @@
 #include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
+#include "experiments/cli/answer_rows.h"
 #include "experiments/cli/certificate_file.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/motion_options.h"
@@ -12,7 +13,6 @@
 
 #include <array>
 #include <cstddef>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,10 +82,7 @@ std::string answers(const Motion_options& options, Query& query, const std::arra
       continue;
     }
     text += row_of(k, first, options.features);
-    const Query_statistics done = query.statistics();
-    if (options.time)
-      text += "," + std::to_string(static_cast<long long>(ns)) + "," + std::to_string(done.bounding_tests()) + "," +
-              std::to_string(done.primitive_tests()) + "," + std::to_string(done.exact_fallbacks);
+    if (options.time) text += work_columns(ns, query.statistics());
     text += "\n";
     if (options.first) return text;
   }
@@ -108,10 +105,7 @@ void run_motion(const Motion_options& options)
   const auto models = load_models(options.names.a, options.names.b, options.names.models, solid);
   Query query(models[0].body, models[1].body, *question);
   const std::string text = answers(options, query, models, motions);
-  if (options.csv.empty())
-    std::cout << text;
-  else
-    write_whole(options.csv, text);
+  write_answers(options.csv, text);
   if (options.certificate.empty()) return;
   Certificate certificate = certificate_of(models[0], models[1]);
   std::size_t without_proof = 0;

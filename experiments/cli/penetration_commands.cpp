@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <string>
@@ -131,10 +130,7 @@ void answer_all(const Penetration_options& options, const Question& question)
       progress.step();
     }
   const std::string text = text_of(rows, options);
-  if (options.csv.empty())
-    std::cout << text;
-  else
-    write_whole(options.csv, text);
+  write_answers(options.csv, text);
 }
 
 void add_options(CLI::App& command, Penetration_options& options, const char* exact)

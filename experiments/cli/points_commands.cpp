@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,10 +68,7 @@ void answer_points(const Points_options& options, const std::string& columns, co
     text += "\n";
     progress.step();
   }
-  if (is_table)
-    write_whole(options.csv, text);
-  else
-    std::cout << text;
+  write_answers(options.csv, text);
 }
 
 CLI::App* add_points_command(CLI::App& app, const std::string& name, const std::string& what, Points_options& options)

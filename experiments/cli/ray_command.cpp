@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -165,10 +164,7 @@ void run_ray(const Ray_options& options)
     text += "\n";
     progress.step();
   }
-  if (options.csv.empty())
-    std::cout << text;
-  else
-    write_whole(options.csv, csv);
+  write_answers(options.csv, options.csv.empty() ? text : csv);
   if (certificate) write_certificate(options.certificate, *certificate);
 }
 

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <string>
@@ -138,10 +137,7 @@ void run_relation(const Relation_options& options)
   Query query(models[0].body, models[1].body, Question::solid, *way);
   const std::vector<Relation_row> rows = ask(query, poses, options);
   const std::string text = text_of(rows, options);
-  if (options.csv.empty())
-    std::cout << text;
-  else
-    write_whole(options.csv, text);
+  write_answers(options.csv, text);
   if (options.certificate.empty()) return;
   Certificate certificate = certificate_of(models[0], models[1]);
   std::size_t without_proof = 0;

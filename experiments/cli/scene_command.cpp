@@ -74,54 +74,26 @@ class Rows {
   /// From this frame to the next.
   void add(std::size_t frame, const Scene& scene, const std::vector<Scene_contact>& contacts, double ns)
   {
-    const std::string number = std::to_string(frame);
-    if (options_.json) {
-      text_ += (frame == 0 ? "\n" : ",\n") + ("  {\"frame\": " + number) + ", \"contacts\": [";
-      for (const Scene_contact& contact : contacts)
-        text_ += (&contact == &contacts.front() ? "" : ", ") + ("{\"pair\": " + in_brackets(contact.pair)) +
-                 ", \"lo\": " + kernel::shortest(contact.first.lo) + ", \"hi\": " + kernel::shortest(contact.first.hi) +
-                 "}";
-      text_ += "]" + (options_.time ? json_costs(scene, ns) : "") + "}";
-    } else if (options_.time) {
-      text_ += row(number, scene, contacts.size(), ns);
-    } else {
-      const std::string comma = options_.csv.empty() ? " " : ",";
-      for (const auto& [pair, first] : contacts)
-        text_ += number + comma + std::to_string(pair.a) + comma + std::to_string(pair.b) + comma +
-                 kernel::shortest(first.lo) + comma + kernel::shortest(first.hi) + "\n";
-    }
-    if (options_.csv.empty() && !options_.json) flush();
+    const auto numbers = [](const Scene_contact& contact) {
+      return std::vector<std::pair<const char*, double>>{{"lo", contact.first.lo}, {"hi", contact.first.hi}};
+    };
+    add_pairs(frame, scene, "contacts", contacts, numbers, ns);
   }
 
   /// The pairs that are near in a frame.
   void add(std::size_t frame, const Scene& scene, const std::vector<Scene_distance>& near, double ns)
   {
-    const std::string number = std::to_string(frame);
-    if (options_.json) {
-      text_ += (frame == 0 ? "\n" : ",\n") + ("  {\"frame\": " + number) + ", \"near\": [";
-      for (const auto& [pair, distance] : near)
-        text_ += (&pair == &near.front().pair ? "" : ", ") + ("{\"pair\": " + in_brackets(pair)) +
-                 ", \"distance\": " + kernel::shortest(distance) + "}";
-      text_ += "]" + (options_.time ? json_costs(scene, ns) : "") + "}";
-    } else if (options_.time) {
-      text_ += row(number, scene, near.size(), ns);
-    } else {
-      const std::string comma = options_.csv.empty() ? " " : ",";
-      for (const auto& [pair, distance] : near)
-        text_ += number + comma + std::to_string(pair.a) + comma + std::to_string(pair.b) + comma +
-                 kernel::shortest(distance) + "\n";
-    }
-    if (options_.csv.empty() && !options_.json) flush();
+    const auto numbers = [](const Scene_distance& each) {
+      return std::vector<std::pair<const char*, double>>{{"distance", each.distance}};
+    };
+    add_pairs(frame, scene, "near", near, numbers, ns);
   }
 
   /// Writes what there is.
   void finish()
   {
     if (options_.json) text_ += text_ == "[" ? "]\n" : "\n]\n";
-    if (options_.csv.empty())
-      flush();
-    else
-      write_whole(options_.csv, text_);
+    write_answers(options_.csv, text_);
   }
 
  private:
@@ -129,6 +101,33 @@ class Rows {
   {
     std::cout << text_;
     text_.clear();
+  }
+
+  /// Adds pairs with numbers of each, which have names.
+  template <class Pairs, class Numbers>
+  void add_pairs(std::size_t frame, const Scene& scene, const char* name, const Pairs& pairs, const Numbers& numbers,
+                 double ns)
+  {
+    const std::string number = std::to_string(frame);
+    if (options_.json) {
+      text_ += (frame == 0 ? "\n" : ",\n") + ("  {\"frame\": " + number) + ", \"" + name + "\": [";
+      for (const auto& each : pairs) {
+        text_ += (&each == &pairs.front() ? "" : ", ") + ("{\"pair\": " + in_brackets(each.pair));
+        for (const auto& [what, x] : numbers(each)) text_ += std::string(", \"") + what + "\": " + kernel::shortest(x);
+        text_ += "}";
+      }
+      text_ += "]" + (options_.time ? json_costs(scene, ns) : "") + "}";
+    } else if (options_.time) {
+      text_ += row(number, scene, pairs.size(), ns);
+    } else {
+      const std::string comma = options_.csv.empty() ? " " : ",";
+      for (const auto& each : pairs) {
+        text_ += number + comma + std::to_string(each.pair.a) + comma + std::to_string(each.pair.b);
+        for (const auto& [what, x] : numbers(each)) text_ += comma + kernel::shortest(x);
+        text_ += "\n";
+      }
+    }
+    if (options_.csv.empty() && !options_.json) flush();
   }
 
   static std::string row(const std::string& number, const Scene& scene, std::size_t pairs, double ns)

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <iostream>
 #include <string_view>
 #include <system_error>
 
@@ -88,6 +89,14 @@ void write_whole(const fs::path& file, const std::string& text)
 {
   if (const std::error_code error = write_somehow(file, text))
     refuse(file, "cannot be written", error, "expected a file in a folder that may be written");
+}
+
+void write_answers(const std::string& csv, const std::string& text)
+{
+  if (csv.empty())
+    std::cout << text;
+  else
+    write_whole(csv, text);
 }
 
 void refuse_input(const fs::path& output, const std::vector<fs::path>& inputs)

@@ -17,6 +17,9 @@ void make_folder(const std::filesystem::path& folder);
 /// behind.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
+/// Writes the table to the file `csv` as above or, where none is named, to standard output.
+void write_answers(const std::string& csv, const std::string& text);
+
 /// Throws covering::Input_error when `output` is one of the files, under any name. Call it before the work.
 void refuse_input(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
 

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""Plants each error of mutants.json in a copy of the headers and asks probe.cpp whether it is noticed; or, where the list names one, a test
-of verify/test: of headers whose errors are hidden from all answers by what stands behind them.
+"""Plants each error of mutants.json in a copy of the headers and asks the test of verify/test that the list names whether it is noticed.
 
 usage: run.py BUILD [--out FOLDER] [--only WORD] [--left] [--jobs N] [--csv FILE]
 
-BUILD is a built tree with the target `mutant_cases`, which writes the cases and their truths. A mutant is killed when the probe finds a
-wrong answer, or the test fails, or either does not end. A mutant with the field `harmless` survives, for the reason that the field gives.
+BUILD is a built tree with the libraries `tetracone_library`, `tetracone_repair` and `truths`. A mutant is killed when its test fails, or does
+not end. A mutant with the field `harmless` survives, for the reason that the field gives.
 Exit status 1 when another one survives, when a harmless one is killed, or when one does not compile: an error of the list.
 Of a mutant that names `units`, these sources of the library, the mutated one and what calls it, are compiled with the test from the mutated
 copy, and those of verify by the mutated headers; else what the library has compiled is right.
@@ -15,7 +14,8 @@ of the objects of the library that it was linked with. It counts as long as thes
 those are judged again whose judge has compiled what has changed. N mutants (default: the number of cores) are tried at a time.
 
 FILE gets a row a mutant, in the list's order: when it was judged, from which version and commit, by what, and what was found. Rows of mutants
-that are not asked about stay. --left asks about those that FILE has no row of, or that survived there. On two cores the list takes about an
+that are not asked about stay. --left asks about those that FILE has no row of by the judge that the
+list names, or that survived there. On two cores the list takes about an
 hour.
 """
 import argparse
@@ -42,39 +42,30 @@ COMPILE = ["-std=c++20", "-O1", "-frounding-math", "-ffp-contract=off", "-DCGAL_
 LINK = ["-lhwy", "-lgmpxx", "-lgmp", "-lmpfr"]
 TEST = ["-Wno-psabi", "-DCGAL_NO_CDT_2_WARNING", "-DBOOST_TEST_DYN_LINK", "-DBOOST_TEST_MODULE=mutant"]
 LINK_TEST = ["-lboost_unit_test_framework", "-ltbb"]
-SECONDS = 600  # a probe of right headers takes some 60
+SECONDS = 600  # a test of right headers takes 60 at most
 # What no mutant changes, and is half of a compilation: precompiled once.
 OUTSIDE = ("CGAL/Exact_predicates_exact_constructions_kernel.h", "CGAL/Exact_predicates_inexact_constructions_kernel.h", "CGAL/Interval_nt.h",
            "CGAL/Mpzf.h", "CGAL/Simple_cartesian.h", "CGAL/gmpxx.h", "Eigen/Eigenvalues", "Eigen/Geometry", "algorithm", "functional",
            "iostream", "map", "optional", "string", "vector")
 
-
 def digest_of(data):
     return hashlib.sha256(data).hexdigest()[:16]
-
 
 def planted(text, mutant):
     if text.count(mutant["old"]) != 1:
         sys.exit(f"{mutant['file']}: the old text of '{mutant['name']}' occurs {text.count(mutant['old'])} times; expected once")
     return text.replace(mutant["old"], mutant["new"])
 
-
 def copy_tree(folder):
     shutil.rmtree(folder, ignore_errors=True)
     for name in HEADERS:
         shutil.copytree(SOURCE / name, folder / "tetracone" / name)
-    (folder / "verify" / "cases").mkdir(parents=True)
-    for name in ("case.h", "random.h"):
-        shutil.copy(SOURCE / "verify" / "cases" / name, folder / "verify" / "cases" / name)
-
 
 def judge_of(mutant):
-    return f"verify/test/{mutant['test']}.cpp" if "test" in mutant else "verify/mutants/probe.cpp"
-
+    return f"verify/test/{mutant['test']}.cpp"
 
 def compiler():
     return os.environ.get("CXX", "c++")
-
 
 def precompiled(out, eigen):
     """The options that include OUTSIDE, precompiled in the folder `out`; none where the compiler is not GCC, which alone looks for NAME.gch."""
@@ -88,7 +79,6 @@ def precompiled(out, eigen):
         subprocess.run([compiler(), *COMPILE, f"-I{eigen}", str(header), "-o", f"{header}.new"], check=True)
         pathlib.Path(f"{header}.new").rename(f"{header}.gch")
     return ["-include", str(header)]
-
 
 class Sources:
     """Digests of the files of the project and of the objects of its libraries, as they are now."""
@@ -138,13 +128,12 @@ class Sources:
                 found[name] = self.object(name)
         return found
 
-
-def build_probe(folder, options, mutant, build):
+def build_judge(folder, options, mutant, build):
     """Compiles and links what judges the headers in `folder`. Returns the error or None, the files that were read, and the linker's trace."""
-    test, units = "test" in mutant, mutant.get("units", ())
-    libraries = [str(build / name) for name in ("libtruths.a", "libtetracone_repair.a", "libtetracone.a")] if test else []
+    units = mutant.get("units", ())
+    libraries = [str(build / name) for name in ("libtruths.a", "libtetracone_repair.a", "libtetracone.a")]
     sources = [SOURCE / judge_of(mutant), *(SOURCE / unit if unit.startswith("verify/") else folder / "tetracone" / unit for unit in units)]
-    more = [f"-I{SOURCE}", f'-DTETRACONE_SOURCE_DIR="{SOURCE}"', f'-DTETRACONE_PYTHON="{sys.executable}"', *TEST] if test else []
+    more = [f"-I{SOURCE}", f'-DTETRACONE_SOURCE_DIR="{SOURCE}"', f'-DTETRACONE_PYTHON="{sys.executable}"', *TEST]
     objects, read = [], []
     for number, source in enumerate(sources):
         made = folder / f"unit_{number}.o"
@@ -156,43 +145,36 @@ def build_probe(folder, options, mutant, build):
         read += made.with_suffix(".d").read_text().replace("\\\n", " ").split()[1:]
     # What is no header is the built one, but for the units: what is defined first counts.
     linked = subprocess.run([compiler(), *objects, "-Wl,--trace", *(["-Wl,--allow-multiple-definition"] if units else []), *libraries,
-                             *(LINK_TEST if test else []), *LINK, "-o", str(folder / "probe")], capture_output=True, text=True)
+                             *LINK_TEST, *LINK, "-o", str(folder / "judge")], capture_output=True, text=True)
     if linked.returncode != 0:
         return next((line for line in linked.stderr.splitlines() if "undefined" in line or "error" in line), "?"), [], ""
     return None, read, linked.stdout
 
-
-def asked(folder, cases, mutant):
+def asked(folder):
     """What the judge says: "killed" and by what, or "survived"."""
     try:
-        run = subprocess.run([str(folder / "probe")] if "test" in mutant else [str(folder / "probe"), str(cases)], capture_output=True,
-                             text=True, errors="replace", timeout=SECONDS, env={**os.environ, "BOOST_TEST_COLOR_OUTPUT": "0"})
+        run = subprocess.run([str(folder / "judge")], capture_output=True, text=True, errors="replace", timeout=SECONDS,
+                             env={**os.environ, "BOOST_TEST_COLOR_OUTPUT": "0"})
     except subprocess.TimeoutExpired:
         return "killed", "does not end"
     if run.returncode == 0:
         return "survived", ""
     said = (run.stdout + run.stderr).replace(f"{folder}/", "")
     lines = [line.strip() for line in said.splitlines() if line.strip()]
-    if "test" not in mutant:
-        return "killed", lines[-1] if lines else f"ends with {run.returncode}"
     case = next((match[1] for line in lines if (match := re.search(r'error: in "([^"]+)"', line))), None)
     return "killed", case or (lines[-1] if lines else f"ends with {run.returncode}")
-
 
 def eigen_folder():
     flags = subprocess.run(["pkg-config", "--cflags-only-I", "eigen3"], capture_output=True, text=True).stdout.split()
     return flags[0][2:] if flags else "/usr/include/eigen3"
-
 
 def write(path, text):
     new = path.with_name(path.name + ".new")
     new.write_text(text)
     new.rename(path)
 
-
 def version():
     return re.search(r"project\(tetracone VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())[1]
-
 
 def commit():
     """The commit of the sources, with a + where they differ from it; empty where there is no repository."""
@@ -200,15 +182,6 @@ def commit():
         return subprocess.run(["git", "-C", str(SOURCE), *words], capture_output=True, text=True).stdout.strip()
     at = git("rev-parse", "--short=10", "HEAD")
     return at + ("+" if at and git("status", "--porcelain", "--untracked-files=no") else "")
-
-
-def write_cases(cases, program):
-    if not program.exists():
-        sys.exit(f"{program}: not there; expected a build folder with the target mutant_cases built")
-    run = subprocess.run([str(program)], capture_output=True, text=True)
-    if run.returncode != 0:
-        sys.exit(f"{program}: failed; expected the cases that it writes")
-    write(cases, run.stdout)
 
 
 COLUMNS = ("date", "version", "commit", "file", "name", "judge", "outcome", "by")
@@ -252,31 +225,24 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
 
     all_mutants = json.loads((HERE / "mutants.json").read_text())
-    settled = [name for name, row in rows.items() if args.left and row["outcome"] in ("killed", "harmless")]
-    mutants = [m for m in all_mutants if args.only in m["name"] and m["name"] not in settled]
+    settled = {(name, row["judge"]) for name, row in rows.items() if args.left and row["outcome"] in ("killed", "harmless")}
+    mutants = [m for m in all_mutants if args.only in m["name"] and (m["name"], judge_of(m)) not in settled]
     for mutant in mutants:
         planted((SOURCE / mutant["file"]).read_text(), mutant)
         for unit in mutant.get("units", ()):
             if not (unit.endswith(".cpp") and (SOURCE / unit).is_file()):
                 sys.exit(f"{unit}: no unit of '{mutant['name']}'; expected a source that is there")
 
-    cases, program = out / "cases.txt", args.build / "verify" / "mutant_cases"
-    asks_probe = any("test" not in m for m in mutants)
-    if asks_probe and not (cases.exists() and (not program.exists() or program.stat().st_mtime <= cases.stat().st_mtime)):
-        write_cases(cases, program)
-    digest_of_cases = digest_of(cases.read_bytes()) if asks_probe else ""
-
     results_file, sources, this = out / "results.json", Sources(args.build), {"version": version(), "commit": commit()}
     results = json.loads(results_file.read_text()) if results_file.exists() else {}
     options = [f"-I{eigen_folder()}", *precompiled(out, eigen_folder())]
-    judges = list(dict.fromkeys((m.get("test"), tuple(m.get("units", ()))) for m in mutants))  # None is the probe
-    unplanted = [{"name": f"none, by {test or 'the probe'}", "file": None, **({"test": test} if test else {}), **({"units": units} if units else {})}
-                 for test, units in judges]
+    judges = list(dict.fromkeys((m["test"], tuple(m.get("units", ()))) for m in mutants))
+    unplanted = [{"name": f"none, by {test}", "file": None, "test": test, **({"units": units} if units else {})} for test, units in judges]
     unwritten = threading.Lock()
 
     def result(mutant):
         what = {name: mutant.get(name) for name in ("file", "old", "new", "test", "units")}
-        key = digest_of((json.dumps(what, sort_keys=True) + ("" if "test" in mutant else digest_of_cases)).encode())
+        key = digest_of(json.dumps(what, sort_keys=True).encode())
         if key in results and sources.are_as(results[key].get("used", {"": ""})):
             return results[key]
         start, folder = time.monotonic(), out / f"tree-{key}"
@@ -284,8 +250,8 @@ def main():
         if mutant["file"]:
             path = folder / "tetracone" / mutant["file"]
             path.write_text(planted(path.read_text(), mutant))
-        error, read, trace = build_probe(folder, options, mutant, args.build)
-        outcome, by = ("does not compile", error) if error else asked(folder, cases, mutant)
+        error, read, trace = build_judge(folder, options, mutant, args.build)
+        outcome, by = ("does not compile", error) if error else asked(folder)
         found = {"outcome": outcome, "by": by, "date": datetime.date.today().isoformat(), **this, "seconds": round(time.monotonic() - start),
                  "name": mutant["name"], "used": sources.used(folder, read, trace)}
         shutil.rmtree(folder)

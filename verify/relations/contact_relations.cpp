@@ -1,5 +1,3 @@
-#include "tetracone/kernel/number/pose.h"
-#include "verify/relations/changed_bodies.h"
 #include "verify/relations/moved_twins.h"
 #include "verify/relations/relations.h"
 
@@ -29,64 +27,31 @@ Verdict swapped_features(const Feature_level::Trial& t)
 
 Verdict swapped_contacts(const Contact_level::Trial& t)
 {
-  auto back = t.subject.contacts(with_bodies_swapped(t.c));
-  if (back.outcome != Outcome::yes) return Verdict::not_applicable;
-  for (Contact_piece_form& form : back.answer) {
-    std::swap(form.face_a, form.face_b);
-    std::swap(form.in_a, form.in_b);
-  }
-  std::sort(back.answer.begin(), back.answer.end());
-  return verdict(t.given == back.answer);
-}
-
-/// The common map: not rigid, and it turns bodies over.
-constexpr std::array<int, 12> common_map = {1, 2, 0, 3, 0, -1, 1, 0, 1, 0, 3, -5};
-
-Exact_point mapped(const Exact_point& x)
-{
-  Exact_point image;
-  for (std::size_t i = 0; i < 3; ++i)
-    image[i] =
-        common_map[4 * i] * x[0] + common_map[4 * i + 1] * x[1] + common_map[4 * i + 2] * x[2] + common_map[4 * i + 3];
-  return image;
-}
-
-/// Returns the mapped pose; nothing when an entry would be beyond the doubles.
-std::optional<kernel::Pose> mapped(const kernel::Pose& pose)
-{
-  std::array<Rational, 12> entries;
-  for (std::size_t column = 0; column < 4; ++column) {
-    Exact_point x;
-    for (std::size_t row = 0; row < 3; ++row) x[row] = pose.exact(int(4 * row + column));
-    const Exact_point image = mapped(x);
-    for (std::size_t row = 0; row < 3; ++row)
-      entries[4 * row + column] = image[row] - (column < 3 ? common_map[4 * row + 3] : 0);
-  }
-  for (const Rational& entry : entries)
-    if (!std::isfinite(kernel::nearest_double(entry))) return std::nullopt;
-  return kernel::Pose(entries);
+  return verdict(t.subject.contacts(with_bodies_swapped(t.c)), [&](Contact_forms back) {
+    for (Contact_piece_form& form : back) {
+      std::swap(form.face_a, form.face_b);
+      std::swap(form.in_a, form.in_b);
+    }
+    std::sort(back.begin(), back.end());
+    return t.given == back;
+  });
 }
 
 Verdict mapped_contacts(const Contact_level::Trial& t)
 {
-  const auto pose_a = mapped(t.c.pose_a), pose_b = mapped(t.c.pose_b);
-  if (!pose_a || !pose_b) return Verdict::not_applicable;
-  Object_case twin = t.c;
-  twin.pose_a = *pose_a;
-  twin.pose_b = *pose_b;
-  const auto found = t.subject.contacts(twin);
-  if (found.outcome != Outcome::yes) return Verdict::not_applicable;
+  const auto twin = under_affine_map(t.c);
+  if (!twin) return Verdict::not_applicable;
   Contact_forms expected = t.given;
   for (Contact_piece_form& form : expected) {
     for (auto& [from, to] : form.border) {
-      from = mapped(from);
-      to = mapped(to);
+      from = object_family::image(affine_map(), from);
+      to = object_family::image(affine_map(), to);
       if (to < from) std::swap(from, to);
     }
     std::sort(form.border.begin(), form.border.end());
   }
   std::sort(expected.begin(), expected.end());
-  return verdict(expected == found.answer);
+  return verdict(t.subject.contacts(*twin), [&](const Contact_forms& found) { return expected == found; });
 }
 
 Verdict contacts_where_surfaces_meet(const Contact_level::Trial& t)
@@ -140,9 +105,8 @@ Verdict contacts_of_halves(const Contact_level::Trial& t)
   if (!halves) return Verdict::not_applicable;
   Object_case twin = t.c;
   twin.a = std::make_shared<const covering::Polyhedron>(*halves);
-  const auto found = t.subject.contacts(twin);
-  if (found.outcome != Outcome::yes) return Verdict::not_applicable;
-  return verdict(point_set(t.given) == point_set(found.answer));
+  return verdict(t.subject.contacts(twin),
+                 [&](const Contact_forms& found) { return point_set(t.given) == point_set(found); });
 }
 
 constexpr std::array of_features = std::to_array<Feature_level::Relation>({

@@ -2,15 +2,12 @@
 #include "tetracone/kernel/number/pose.h"
 #include "verify/cases/exact_map.h"
 #include "verify/cases/exact_motion.h"
-#include "verify/relations/changed_bodies.h"
 #include "verify/relations/moved_twins.h"
 #include "verify/relations/relations.h"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace tetracone::verify {
 namespace {
@@ -20,11 +17,12 @@ using kernel::Question;
 using kernel::Rational;
 
 /// Relation: the squared distance of a twin is `factor` times the case's.
-Verdict times_as_far(const Distance_level::Trial& t, const Rational& factor, const Object_case& twin)
+Verdict times_as_far(const Distance_level::Trial& t, const Rational& factor, const std::optional<Object_case>& twin)
 {
-  const auto there = t.subject.distance(twin, t.question);
-  if (there.outcome != Outcome::yes) return Verdict::not_applicable;
-  return verdict(Rational(there.answer.nearest.squared) == factor * Rational(t.given.nearest.squared));
+  if (!twin) return Verdict::not_applicable;
+  return verdict(t.subject.distance(*twin, t.question), [&](const Distance_answer& told) {
+    return Rational(told.nearest.squared) == factor * Rational(t.given.nearest.squared);
+  });
 }
 
 Verdict as_far_swapped(const Distance_level::Trial& t) { return times_as_far(t, 1, with_bodies_swapped(t.c)); }
@@ -33,17 +31,11 @@ Verdict as_far_swapped(const Distance_level::Trial& t) { return times_as_far(t, 
 Verdict moved_together(const Distance_level::Trial& t, const Signed_permutation& p, const Rational& factor,
                        const object_family::Exact_vector& shift)
 {
-  const auto moved = [&](const kernel::Pose& pose) -> std::optional<kernel::Pose> {
+  const auto twin = with_poses(t.c, [&](const kernel::Pose& pose) {
     Entries entries = entries_of(turned(p, pose));
-    for (std::size_t k = 0; k < 12; ++k) entries[k] = factor * entries[k];
-    for (std::size_t k = 0; k < 3; ++k) entries[4 * k + 3] += shift[k];
-    return exact_pose(entries, true);
-  };
-  const auto pose_a = moved(t.c.pose_a), pose_b = moved(t.c.pose_b);
-  if (!pose_a || !pose_b) return Verdict::not_applicable;
-  Object_case twin = t.c;
-  twin.pose_a = *pose_a;
-  twin.pose_b = *pose_b;
+    for (std::size_t k = 0; k < 12; ++k) entries[k] = factor * entries[k] + (k % 4 == 3 ? shift[k / 4] : Rational(0));
+    return kernel::Pose(entries);
+  });
   return times_as_far(t, Rational(factor * factor), twin);
 }
 
@@ -72,32 +64,15 @@ Verdict approached(const Distance_level::Trial& t)
   object_family::Exact_vector way;
   for (std::size_t k = 0; k < 3; ++k)
     way[k] = share * (Rational(t.given.nearest.point[0][k]) - Rational(t.given.nearest.point[1][k]));
-  Entries entries = entries_of(t.c.pose_b);
-  for (std::size_t k = 0; k < 3; ++k) entries[4 * k + 3] += way[k];
-  const auto pose = exact_pose(entries, true);
-  if (!pose) return Verdict::not_applicable;
-  Object_case twin = t.c;
-  twin.pose_b = *pose;
-  return times_as_far(t, Rational(rest * rest), twin);
+  return times_as_far(t, Rational(rest * rest), with_moved(t.c, &Object_case::pose_b, way));
 }
 
 Verdict as_far_in_any_order(const Distance_level::Trial& t)
 {
-  Object_case twin = t.c;
-  twin.a = as_shared(reordered(*t.c.a, t.random).body);
-  twin.b = as_shared(wound_backwards(*t.c.b).body);
-  return times_as_far(t, 1, twin);
+  return times_as_far(t, 1, in_another_order(t.c, t.random));
 }
 
-Verdict as_far_split(const Distance_level::Trial& t)
-{
-  const auto a = split_inside(*t.c.a), b = split_inside(*t.c.b);
-  if (!a && !b) return Verdict::not_applicable;
-  Object_case twin = t.c;
-  if (a) twin.a = as_shared(a->body);
-  if (b) twin.b = as_shared(b->body);
-  return times_as_far(t, 1, twin);
-}
+Verdict as_far_split(const Distance_level::Trial& t) { return times_as_far(t, 1, with_split_triangles(t.c)); }
 
 /// Relation of the surfaces: a body that loses a face does not get nearer.
 Verdict a_face_less(const Distance_level::Trial& t)
@@ -110,9 +85,9 @@ Verdict a_face_less(const Distance_level::Trial& t)
     if (f != without) rest.add_face(loops_of(*t.c.a, f));
   Object_case twin = t.c;
   twin.a = as_shared(std::move(rest));
-  const auto there = t.subject.distance(twin, t.question);
-  if (there.outcome != Outcome::yes) return Verdict::not_applicable;
-  return verdict(Rational(there.answer.nearest.squared) >= Rational(t.given.nearest.squared));
+  return verdict(t.subject.distance(twin, t.question), [&](const Distance_answer& told) {
+    return Rational(told.nearest.squared) >= Rational(t.given.nearest.squared);
+  });
 }
 
 Verdict zero_where_they_collide(const Distance_level::Trial& t)

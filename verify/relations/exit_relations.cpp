@@ -1,8 +1,5 @@
-#include "tetracone/kernel/number/pose.h"
 #include "verify/cases/exact_map.h"
-#include "verify/cases/exact_motion.h"
 #include "verify/cases/exit_direction.h"
-#include "verify/relations/changed_bodies.h"
 #include "verify/relations/moved_twins.h"
 #include "verify/relations/relations.h"
 
@@ -12,33 +9,23 @@
 namespace tetracone::verify {
 namespace {
 
-using kernel::Pose;
 using kernel::Rational;
-using kernel::Solid_relation;
-using object_family::composed;
 using object_family::Exact_vector;
 using object_family::times;
 using object_family::turned;
 
 /// Relation: a twin has these exits along a direction.
-Verdict exits_are(const Solid_exits& expected, const Exit_level::Trial& t, const Object_case& twin,
+Verdict exits_are(const Solid_exits& expected, const Exit_level::Trial& t, const std::optional<Object_case>& twin,
                   const Exact_vector& direction)
 {
-  const auto told = t.subject.exits(twin, direction);
-  return told.outcome == Outcome::yes ? verdict(told.answer.exits == expected) : Verdict::not_applicable;
+  if (!twin) return Verdict::not_applicable;
+  return verdict(t.subject.exits(*twin, direction), [&](const Exit_answer& told) { return told.exits == expected; });
 }
 
 /// Returns the case with A moved along the direction; nothing where that goes beyond the doubles.
 std::optional<Object_case> moved_along(const Object_case& c, const Rational& share)
 {
-  Object_case twin = c;
-  Entries entries = entries_of(c.pose_a);
-  const Exact_vector direction = exit_direction(c);
-  for (int row = 0; row < 3; ++row) entries[4 * row + 3] += share * direction[row];
-  const auto pose = exact_pose(entries, true);
-  if (!pose) return std::nullopt;
-  twin.pose_a = *pose;
-  return twin;
+  return with_moved(c, &Object_case::pose_a, times(share, exit_direction(c)));
 }
 
 /// Returns whether the interiors share a point; nothing where nobody tells, and for no case.
@@ -73,9 +60,8 @@ Verdict on_the_way(const Exit_level::Trial& t)
 {
   const Rational share = t.given.exits.first * long(1 + one_of(t.random, 7)) / 8;
   if (share == 0) return Verdict::not_applicable;
-  const auto twin = moved_along(t.c, share);
-  if (!twin) return Verdict::not_applicable;
-  return exits_are({t.given.exits.first - share, t.given.exits.last - share}, t, *twin, exit_direction(t.c));
+  return exits_are({t.given.exits.first - share, t.given.exits.last - share}, t, moved_along(t.c, share),
+                   exit_direction(t.c));
 }
 
 Verdict swapped(const Exit_level::Trial& t)
@@ -92,24 +78,12 @@ Verdict longer(const Exit_level::Trial& t)
 
 Verdict mapped(const Exit_level::Trial& t)
 {
-  // Not rigid, with fractions, and it turns bodies over.
-  const Pose map({Rational(1, 3), 2, 0, 3, 0, -1, 1, 0, 1, 0, 3, Rational(-5, 7)});
-  Object_case twin = t.c;
-  twin.pose_a = composed(map, t.c.pose_a);
-  twin.pose_b = composed(map, t.c.pose_b);
-  for (const Pose* pose : {&twin.pose_a, &twin.pose_b})
-    if (!exact_pose(entries_of(*pose), true)) return Verdict::not_applicable;
-  return exits_are(t.given.exits, t, twin, turned(map, exit_direction(t.c)));
+  return exits_are(t.given.exits, t, under_affine_map(t.c), turned(affine_map(), exit_direction(t.c)));
 }
 
 Verdict same_when_split(const Exit_level::Trial& t)
 {
-  const auto a = split_inside(*t.c.a), b = split_inside(*t.c.b);
-  if (!a && !b) return Verdict::not_applicable;
-  Object_case twin = t.c;
-  if (a) twin.a = as_shared(a->body);
-  if (b) twin.b = as_shared(b->body);
-  return exits_are(t.given.exits, t, twin, exit_direction(t.c));
+  return exits_are(t.given.exits, t, with_split_triangles(t.c), exit_direction(t.c));
 }
 
 constexpr std::array of_exits = std::to_array<Exit_level::Relation>({

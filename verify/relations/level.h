@@ -13,6 +13,13 @@ enum class Verdict { holds, violated, not_applicable };
 
 inline Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::violated; }
 
+/// The relation holds(answer) of what a subject tells of a twin.
+template <class Answer, class Holds>
+Verdict verdict(const Told<Answer>& told, const Holds& holds)
+{
+  return told.outcome == Outcome::yes ? verdict(holds(told.answer)) : Verdict::not_applicable;
+}
+
 /// The types of a level: the cases that it asks, what a subject answers, who answers, and the questions about a case.
 template <class Case_, class Answer_, class Running_ = verify::Running<Case_, Answer_>,
           class Question_ = kernel::Question>

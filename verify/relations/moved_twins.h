@@ -4,8 +4,10 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "verify/cases/case.h"
+#include "verify/cases/exact_map.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/random.h"
+#include "verify/relations/changed_bodies.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +25,59 @@ inline Object_case with_bodies_swapped(Object_case c)
   std::swap(c.a, c.b);
   std::swap(c.pose_a, c.pose_b);
   return c;
+}
+
+/// Returns the case with vertices and faces of A in any order, and all loops of B reversed.
+inline Object_case in_another_order(Object_case c, Random& random)
+{
+  c.a = as_shared(reordered(*c.a, random).body);
+  c.b = as_shared(wound_backwards(*c.b).body);
+  return c;
+}
+
+/// Returns the case with triangles split at inner points; nothing when no triangle has such a point.
+inline std::optional<Object_case> with_split_triangles(Object_case c)
+{
+  const auto a = split_inside(*c.a), b = split_inside(*c.b);
+  if (!a && !b) return std::nullopt;
+  if (a) c.a = as_shared(a->body);
+  if (b) c.b = as_shared(b->body);
+  return c;
+}
+
+/// Returns the case with the poses of both bodies changed; nothing where an entry would be beyond the doubles.
+template <class Change>
+std::optional<Object_case> with_poses(Object_case c, const Change& change)
+{
+  for (kernel::Pose* const pose : {&c.pose_a, &c.pose_b}) {
+    const auto changed = exact_pose(entries_of(change(*pose)), true);
+    if (!changed) return std::nullopt;
+    *pose = *changed;
+  }
+  return c;
+}
+
+/// Returns the case with one body moved; nothing where an entry would be beyond the doubles.
+inline std::optional<Object_case> with_moved(Object_case c, kernel::Pose Object_case::*of_body,
+                                             const object_family::Exact_vector& way)
+{
+  const auto moved = exact_pose(entries_of(object_family::moved(c.*of_body, way)), true);
+  if (!moved) return std::nullopt;
+  c.*of_body = *moved;
+  return c;
+}
+
+/// A map that is not rigid, has fractions, and turns bodies over.
+inline const kernel::Pose& affine_map()
+{
+  static const kernel::Pose map({kernel::Rational(1, 3), 2, 0, 3, 0, -1, 1, 0, 1, 0, 3, kernel::Rational(-5, 7)});
+  return map;
+}
+
+/// Returns the case under that map; nothing where an entry would be beyond the doubles.
+inline std::optional<Object_case> under_affine_map(const Object_case& c)
+{
+  return with_poses(c, [](const kernel::Pose& pose) { return object_family::composed(affine_map(), pose); });
 }
 
 /// Returns the largest absolute coordinate of a translation.

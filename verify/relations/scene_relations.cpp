@@ -18,8 +18,7 @@ using kernel::Rational;
 
 Verdict same_pairs(const Scene_level::Trial& t, const Frames_of_pairs& expected, const Scene_case& twin)
 {
-  const auto told = t.subject(twin);
-  return told.outcome == Outcome::yes ? verdict(told.answer == expected) : Verdict::not_applicable;
+  return verdict(t.subject(twin), [&](const Frames_of_pairs& told) { return told == expected; });
 }
 
 Verdict reordered_bodies(const Scene_level::Trial& t)

@@ -1,14 +1,12 @@
 #include "tetracone/kernel/number/pose.h"
 #include "verify/cases/exact_map.h"
-#include "verify/cases/exact_motion.h"
-#include "verify/relations/changed_bodies.h"
+#include "verify/cases/shape_generators.h"
 #include "verify/relations/convex_body.h"
 #include "verify/relations/moved_twins.h"
 #include "verify/relations/relations.h"
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -23,10 +21,10 @@ using kernel::Solid_relation;
 using namespace object_family;
 
 /// Relation: the overlap of a twin is `expected`.
-Verdict overlap_is(const Solid_overlap& expected, const Solid_level::Trial& t, const Object_case& twin)
+Verdict overlap_is(const Solid_overlap& expected, const Solid_level::Trial& t, const std::optional<Object_case>& twin)
 {
-  const auto told = t.subject.solids(twin);
-  return told.outcome == Outcome::yes ? verdict(told.answer.overlap == expected) : Verdict::not_applicable;
+  if (!twin) return Verdict::not_applicable;
+  return verdict(t.subject.solids(*twin), [&](const Solid_answer& told) { return told.overlap == expected; });
 }
 
 Solid_relation reversed(Solid_relation relation)
@@ -64,55 +62,25 @@ Verdict swapped(const Solid_level::Trial& t)
   return overlap_is(expected, t, with_bodies_swapped(t.c));
 }
 
-/// The common map: not rigid, with fractions, and it turns bodies over.
-const Pose& affine_map()
-{
-  static const Pose map({Rational(1, 3), 2, 0, 3, 0, -1, 1, 0, 1, 0, 3, Rational(-5, 7)});
-  return map;
-}
-
 Verdict mapped(const Solid_level::Trial& t)
 {
-  const auto moved = [](const Pose& pose) {
-    Entries entries;
-    for (int column = 0; column < 4; ++column) {
-      const Exact_vector x = {pose.exact(column), pose.exact(4 + column), pose.exact(8 + column)};
-      const Exact_vector y =
-          column < 3 ? object_family::turned(affine_map(), x) : object_family::image(affine_map(), x);
-      for (int row = 0; row < 3; ++row) entries[4 * row + column] = y[row];
-    }
-    return exact_pose(entries, true);
-  };
-  const auto pose_a = moved(t.c.pose_a), pose_b = moved(t.c.pose_b);
-  if (!pose_a || !pose_b) return Verdict::not_applicable;
-  Object_case twin = t.c;
-  twin.pose_a = *pose_a;
-  twin.pose_b = *pose_b;
   Solid_overlap expected = t.given.overlap;
   if (expected.volume != 0) {
     const auto column = [](int k) { return object_family::turned(affine_map(), Exact_vector{k == 0, k == 1, k == 2}); };
     expected.volume *= Rational(abs(object_family::dot(column(0), object_family::cross(column(1), column(2)))));
     expected.centroid = object_family::image(affine_map(), expected.centroid);
   }
-  return overlap_is(expected, t, twin);
+  return overlap_is(expected, t, under_affine_map(t.c));
 }
 
 Verdict same_when_split(const Solid_level::Trial& t)
 {
-  const auto a = split_inside(*t.c.a), b = split_inside(*t.c.b);
-  if (!a && !b) return Verdict::not_applicable;
-  Object_case twin = t.c;
-  if (a) twin.a = as_shared(a->body);
-  if (b && one_of(t.random, 2) == 0) twin.b = as_shared(b->body);
-  return overlap_is(t.given.overlap, t, twin);
+  return overlap_is(t.given.overlap, t, with_split_triangles(t.c));
 }
 
 Verdict same_in_any_order(const Solid_level::Trial& t)
 {
-  Object_case twin = t.c;
-  twin.a = as_shared(reordered(*t.c.a, t.random).body);
-  twin.b = as_shared(wound_backwards(*t.c.b).body);
-  return overlap_is(t.given.overlap, t, twin);
+  return overlap_is(t.given.overlap, t, in_another_order(t.c, t.random));
 }
 
 /// Returns a box about a body's vertices, which may touch them; nothing when the box would be flat, or beyond the
@@ -131,14 +99,7 @@ std::optional<Polyhedron> box_about(const Polyhedron& what, Random& random)
     if (one_of(random, 2) == 0) high[k] = std::nextafter(high[k], HUGE_VAL);
     if (!std::isfinite(low[k]) || !std::isfinite(high[k])) return std::nullopt;
   }
-  Polyhedron box;
-  for (const double z : {low[2], high[2]})
-    for (const double y : {low[1], high[1]})
-      for (const double x : {low[0], high[0]}) box.vertices.push_back({x, y, z});
-  for (const auto& loop : std::to_array<std::array<covering::Index, 4>>(
-           {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}))
-    box.add_polygon(loop);
-  return box;
+  return box(low, high);
 }
 
 /// Relation: the third body is a box about B. What holds of A and B, and of B and the box, bounds what holds of A and
@@ -189,17 +150,12 @@ Verdict nudged(const Solid_level::Trial& t)
   const Exact_vector way =
       object_family::difference(middle_of_corners(*t.c.a, t.c.pose_a), middle_of_corners(*t.c.b, t.c.pose_b));
   const Rational share(1, 1L << (10 + one_of(t.random, 40)));
-  Entries entries = entries_of(t.c.pose_b);
-  for (int row = 0; row < 3; ++row) entries[4 * row + 3] += share * way[row];
-  const auto pose_b = exact_pose(entries, true);
-  if (!pose_b) return Verdict::not_applicable;
-  Object_case twin = t.c;
-  twin.pose_b = *pose_b;
-  const auto told = t.subject.solids(twin);
-  if (told.outcome != Outcome::yes) return Verdict::not_applicable;
-  const Solid_relation relation = told.answer.overlap.contact.relation;
-  return verdict(relation != Solid_relation::disjoint && relation != Solid_relation::meet &&
-                 told.answer.overlap.volume > 0);
+  const auto twin = with_moved(t.c, &Object_case::pose_b, object_family::times(share, way));
+  if (!twin) return Verdict::not_applicable;
+  return verdict(t.subject.solids(*twin), [](const Solid_answer& told) {
+    const Solid_relation relation = told.overlap.contact.relation;
+    return relation != Solid_relation::disjoint && relation != Solid_relation::meet && told.overlap.volume > 0;
+  });
 }
 
 constexpr std::array of_solids = std::to_array<Solid_level::Relation>({

@@ -106,53 +106,6 @@ BOOST_AUTO_TEST_CASE(a_side_that_is_marked_joins_the_corners_of_its_edge_and_an_
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_triangle_is_its_own_covering)
-{
-  for (const Polyhedron& body :
-       {scenes::triangulated(scenes::cube(1)), scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})}) {
-    const Covering covering(body);
-    BOOST_REQUIRE(covering.triangles().size() == body.face_count());
-    for (Index f = 0; f < body.face_count(); ++f) {
-      const Covering_triangle& t = covering.triangles()[f];
-      const Loop loop = body.loop(f, 0);
-      BOOST_TEST(t.face == f);
-      BOOST_TEST(std::equal(t.corner.begin(), t.corner.end(), loop.begin(), loop.end()));
-      for (const Index edge : t.edge) BOOST_TEST(edge != none);
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_polygon_has_a_triangle_for_each_edge_that_does_not_end_in_its_first_corner)
-{
-  const auto triangles_of = [](const Covering& covering, Index f) {
-    return std::count_if(covering.triangles().begin(), covering.triangles().end(),
-                         [f](const auto& t) { return t.face == f; });
-  };
-  const Covering star(scenes::star_prism());
-  BOOST_TEST(triangles_of(star, 0) == 8 - 2);
-  BOOST_TEST(triangles_of(star, 2) == 4 - 2);
-  // Top with a hole: the outer square without W, and all four edges of the hole.
-  const Polyhedron tunnel = scenes::cube_with_tunnel();
-  BOOST_TEST(triangles_of(Covering(tunnel), tunnel.face_count() - 1) == 2 + 4);
-}
-
-BOOST_AUTO_TEST_CASE(directed_edges_run_around_each_loop_and_begin_with_the_first_corner)
-{
-  const Polyhedron tunnel = scenes::cube_with_tunnel();
-  const Covering covering(tunnel);
-  for (Index f = 0; f < tunnel.face_count(); ++f) {
-    std::size_t n = 0;
-    for (std::size_t l = 0; l < tunnel.loop_count(f); ++l) {
-      const Loop loop = tunnel.loop(f, l);
-      for (std::size_t k = 0; k < loop.size(); ++k, ++n) {
-        BOOST_TEST(covering.from(f)[n] == loop[k]);
-        BOOST_TEST(covering.to(f)[n] == loop[(k + 1) % loop.size()]);
-      }
-    }
-    BOOST_TEST(covering.from(f).size() == n);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(spanning_corners_are_off_one_line_and_missing_only_where_all_corners_are_on_one)
 {
   for (const auto& [name, body] : scenes::closed_bodies()) {

@@ -2,7 +2,7 @@
 #define TETRACONE_VERIFY_TEST_SUPPORT_OBJECT_CASES_H
 
 #include "verify/cases/case.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/segment_truth.h"
 
 #include <memory>
 #include <utility>
@@ -38,24 +38,8 @@ inline Polyhedron holed_square(double outer, double inner, double x = 0)
   return frame;
 }
 
-/// A face of up to three loops of up to five corners of a grid: they cross, repeat and cancel themselves and each
-/// other. Some run back the way they came: no area, and yet a plane.
-inline Polyhedron any_loops(Random& random, int radius)
-{
-  Polyhedron result;
-  std::vector<std::vector<Index>> loops(integer(random, 1, 3));
-  for (auto& loop : loops) {
-    for (int k = integer(random, 1, 5); k > 0; --k) {
-      loop.push_back(Index(result.vertices.size()));
-      result.vertices.push_back(
-          {double(integer(random, -radius, radius)), double(integer(random, -radius, radius)), 0});
-    }
-    if (integer(random, 0, 3) == 0)
-      for (std::size_t k = loop.size(); k-- > 0;) loop.push_back(loop[k]);
-  }
-  result.add_face(loops);
-  return result;
-}
+/// A face of random loops: some run back the way they came, without area, and yet with a plane.
+inline Polyhedron any_loops(Random& random, int radius) { return face_of(random_loops(random, radius)); }
 
 }  // namespace tetracone::verify::scenes
 

@@ -181,6 +181,32 @@ BOOST_AUTO_TEST_CASE(all_axes_find_all_tetrahedra_that_are_apart_by_a_margin_and
   BOOST_TEST(missed_by_faces > 100);
 }
 
+BOOST_AUTO_TEST_CASE(tetrahedra_that_touch_in_a_corner_are_separated_by_rounding_alone)
+{
+  Random random(10);
+  int wrong = 0, by_rounding = 0;
+  for (int n = 0; n < 1000; ++n) {
+    // B is A's mirror image in its first corner, modelled d away, and its pose takes it back.
+    const Vertex d = scenes::grid_vertex(random, 1 << 20);
+    Points a(4), b(4);
+    for (Vertex& p : a) p = scenes::grid_vertex(random, 1 << 20);
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < 3; ++i) b[k][i] = 2 * a[0][i] - a[k][i] + d[i];
+    const Pose pose = scenes::random_rotation(random, 9),
+               back = scenes::composed(pose, scenes::translation(-d[0], -d[1], -d[2]));
+    const Frame frame_a(pose, reach_of(a)), frame_b(back, reach_of(b));
+    Bound_tetrahedron<double> p, q;
+    for (int k = 0; k < 4; ++k) {
+      p[k] = frame_a(a[k]);
+      q[k] = frame_b(b[k]);
+    }
+    wrong += separated<double>(p, q, true, projection_slack(frame_a, frame_b));
+    by_rounding += separated<double>(p, q, true, 0.0);
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(by_rounding > 100);
+}
+
 BOOST_AUTO_TEST_CASE(undefined_tetrahedra_are_never_separated)
 {
   const Bound_tetrahedron<double> a = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

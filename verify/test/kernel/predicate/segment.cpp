@@ -75,31 +75,6 @@ KERNEL_TEST_CASE(a_point_of_the_line_is_located_on_the_segment, K, Kernels)
   BOOST_TEST(wrong == 0);
 }
 
-KERNEL_TEST_CASE(each_kind_by_hand, K, Kernels)
-{
-  const auto is = [](Contact expected, const Vertex& p, const Vertex& q, const Vertex& a, const Vertex& b) {
-    BOOST_TEST(to_string(contact<K>({p, q, a, b})) == to_string(expected));
-    BOOST_TEST(to_string(truth({p, q, a, b})) == to_string(expected));
-  };
-  is(Contact::edge_edge, {-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0});
-  is(Contact::none, {-1, 0, 0}, {1, 0, 0}, {0, -1, 1}, {0, 1, 1});              // skew
-  is(Contact::none, {-1, 0, 0}, {1, 0, 0}, {-1, 1, 0}, {1, 1, 0});              // parallel
-  is(Contact::none, {-1, 0, 0}, {1, 0, 0}, {2, -1, 0}, {2, 1, 0});              // the lines cross beyond one
-  is(Contact::vertex_edge, {-1, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 1});        // a T
-  is(Contact::vertex_vertex, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {0, 1, 0});       // a corner
-  is(Contact::vertex_vertex, {-1, 0, 0}, {0, 0, 0}, {0, 0, 0}, {1, 0, 0});      // end to end
-  is(Contact::none, {-2, 0, 0}, {-1, 0, 0}, {1, 0, 0}, {2, 0, 0});              // apart on one line
-  is(Contact::coplanar_overlap, {-1, 0, 0}, {1, 0, 0}, {0, 0, 0}, {2, 0, 0});   // a part
-  is(Contact::coplanar_overlap, {-2, 0, 0}, {2, 0, 0}, {-1, 0, 0}, {1, 0, 0});  // one in the other
-  is(Contact::coplanar_overlap, {-1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {-1, 0, 0});  // the same
-  is(Contact::vertex_vertex, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3});       // points
-  is(Contact::none, {1, 2, 3}, {1, 2, 3}, {1, 2, 2}, {1, 2, 2});
-  is(Contact::vertex_edge, {0, 0, 0}, {0, 0, 0}, {-1, -1, -1}, {1, 1, 1});  // a point inside a segment
-  is(Contact::vertex_vertex, {1, 1, 1}, {1, 1, 1}, {-1, -1, -1}, {1, 1, 1});
-  is(Contact::none, {2, 2, 2}, {2, 2, 2}, {-1, -1, -1}, {1, 1, 1});  // beyond it on its line
-  is(Contact::none, {0, 0, 1}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0});    // off its line
-}
-
 KERNEL_TEST_CASE(all_segments_of_a_small_grid_meet_as_integers_say, K, Kernels)
 {
   std::map<Contact, int> seen;

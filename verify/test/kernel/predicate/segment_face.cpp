@@ -111,48 +111,6 @@ struct Sample {
 
 }  // namespace
 
-KERNEL_TEST_CASE(each_kind_of_a_triangle_by_hand, K, Kernels)
-{
-  const Corners t = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
-  const auto is = [](Contact expected, const Vertex& p, const Vertex& q, const Corners& abc) {
-    BOOST_TEST(to_string(triangle_contact<K>(p, q, abc)) == to_string(expected));
-    BOOST_TEST(to_string(true_contact(p, q, {{abc[0], abc[1], abc[2]}})) == to_string(expected));
-  };
-  is(Contact::edge_face, {1, 1, -1}, {1, 1, 1}, t);
-  is(Contact::vertex_face, {1, 1, 0}, {1, 1, 1}, t);
-  is(Contact::vertex_face, {1, 1, -5}, {1, 1, 0}, t);
-  is(Contact::edge_edge, {2, 2, -1}, {2, 2, 1}, t);
-  is(Contact::edge_edge, {1, -1, -1}, {1, 1, 1}, t);
-  is(Contact::vertex_edge, {2, 2, 0}, {2, 2, 1}, t);
-  is(Contact::vertex_edge, {0, 4, -1}, {0, 4, 1}, t);
-  is(Contact::vertex_vertex, {4, 0, 0}, {4, 0, 1}, t);
-  is(Contact::none, {3, 3, -1}, {3, 3, 1}, t);
-  is(Contact::none, {1, 1, 1}, {1, 1, 2}, t);
-  is(Contact::none, {5, 0, 0}, {5, 0, 1}, t);  // an end on the plane, on the line of an edge
-  // In its plane.
-  is(Contact::coplanar_overlap, {1, 1, 0}, {9, 9, 0}, t);
-  is(Contact::coplanar_overlap, {1, 1, 0}, {1, 2, 0}, t);
-  is(Contact::coplanar_overlap, {-1, 1, 0}, {9, 1, 0}, t);
-  is(Contact::coplanar_overlap, {1, 0, 0}, {2, 0, 0}, t);
-  is(Contact::vertex_edge, {2, 0, 0}, {2, -2, 0}, t);
-  is(Contact::vertex_vertex, {4, 0, 0}, {8, 0, 0}, t);
-  is(Contact::vertex_edge, {-1, 1, 0}, {1, -1, 0}, t);
-  is(Contact::none, {5, 0, 0}, {0, 5, 0}, t);
-  // A segment that is a point.
-  is(Contact::vertex_face, {1, 1, 0}, {1, 1, 0}, t);
-  is(Contact::vertex_edge, {2, 2, 0}, {2, 2, 0}, t);
-  is(Contact::vertex_vertex, {0, 4, 0}, {0, 4, 0}, t);
-  is(Contact::none, {3, 3, 0}, {3, 3, 0}, t);
-  is(Contact::none, {1, 1, 1}, {1, 1, 1}, t);
-  // A triangle that is a segment, or a point.
-  is(Contact::edge_edge, {1, -1, 0}, {1, 1, 0}, {{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}});
-  is(Contact::edge_edge, {1, -1, 0}, {1, 1, 0}, {{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}});
-  is(Contact::vertex_edge, {2, -1, 0}, {2, 1, 0}, {{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}});
-  is(Contact::edge_edge, {1, -1, -1}, {1, 1, 1}, {{{0, 0, 0}, {4, 0, 0}, {4, 0, 0}}});
-  is(Contact::vertex_vertex, {1, 0, 0}, {1, 1, 0}, {{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}});
-  is(Contact::vertex_edge, {0, 0, 0}, {2, 2, 2}, {{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}});
-}
-
 KERNEL_TEST_CASE(random_triangles_meet_segments_as_integers_say_in_any_order, K, Kernels)
 {
   Random random(2);
@@ -178,32 +136,6 @@ KERNEL_TEST_CASE(random_triangles_meet_segments_as_integers_say_in_any_order, K,
   BOOST_TEST(wrong == 0);
   BOOST_TEST(seen.size() == 7u);
   for (const auto& [kind, count] : seen) BOOST_TEST(count > 2, to_string(kind));
-}
-
-KERNEL_TEST_CASE(each_kind_of_a_face_with_a_hole_by_hand, K, Kernels)
-{
-  const Loops frame = {{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}},
-                       {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}}};
-  const auto is = [&](Contact expected, const Vertex& p, const Vertex& q) {
-    for (std::size_t origin = 0; origin < 8; ++origin)
-      BOOST_TEST(to_string(face_contact<K>(p, q, frame, origin)) == to_string(expected));
-    BOOST_TEST(to_string(true_contact(p, q, frame)) == to_string(expected));
-  };
-  is(Contact::none, {0, 0, -1}, {0, 0, 1});  // through the hole
-  is(Contact::edge_face, {2, 0, -1}, {2, 0, 1});
-  is(Contact::edge_edge, {1, 0, -1}, {1, 0, 1});
-  is(Contact::vertex_edge, {1, 1, -1}, {1, 1, 1});
-  is(Contact::vertex_vertex, {1, 1, 0}, {1, 1, 1});
-  is(Contact::vertex_face, {2, 2, 0}, {2, 2, 1});
-  is(Contact::none, {4, 0, -1}, {4, 0, 1});
-  is(Contact::none, {0, 0, 0}, {0, 0, 0});
-  is(Contact::vertex_face, {2, 0, 0}, {2, 0, 0});
-  is(Contact::vertex_edge, {1, 0, 0}, {1, 0, 0});
-  is(Contact::vertex_edge, {0, 0, 0}, {1, 0, 0});  // in the plane, within the hole, to its edge
-  is(Contact::vertex_vertex, {0, 0, 0}, {1, 1, 0});
-  is(Contact::coplanar_overlap, {0, 0, 0}, {2, 0, 0});
-  is(Contact::coplanar_overlap, {-1, 0, 0}, {1, 0, 0});  // touches the hole's edges with both ends
-  is(Contact::vertex_edge, {2, 4, 0}, {4, 2, 0});        // past a corner
 }
 
 KERNEL_TEST_CASE(random_faces_meet_segments_as_integers_say_whatever_their_order_and_origin, K, Kernels)

@@ -33,18 +33,6 @@ rationals::Vector between(const Vertex& a, const Vertex& b)
 
 }  // namespace
 
-KERNEL_TEST_CASE(a_unit_corner_is_positive, K, Kernels)
-{
-  const auto o = point<K>({0, 0, 0}), x = point<K>({1, 0, 0}), y = point<K>({0, 1, 0}), z = point<K>({0, 0, 1});
-  BOOST_TEST(volume_sign<K>(o, x, y, z) == POSITIVE);
-  BOOST_TEST(normal_sign<K>(o, x, y, 2) == POSITIVE);
-  BOOST_TEST(normal_sign<K>(o, y, z, 0) == POSITIVE);
-  BOOST_TEST(normal_sign<K>(o, z, x, 1) == POSITIVE);
-  BOOST_TEST(difference_sign<K>(x, o, 0) == POSITIVE);
-  BOOST_TEST(difference_sign<K>(o, y, 1) == NEGATIVE);
-  BOOST_TEST(difference_sign<K>(x, y, 2) == ZERO);
-}
-
 KERNEL_TEST_CASE(signs_of_a_grid_are_those_of_rationals_at_every_scale, K, Kernels)
 {
   scenes::Random random(1);
@@ -186,10 +174,5 @@ BOOST_AUTO_TEST_CASE(a_tolerance_belongs_to_its_thread)
   std::thread([&] { elsewhere = corner_of_height(0.5); }).join();
   BOOST_TEST(elsewhere == POSITIVE);
 }
-
-// Errors planted in the header by hand, each seen to fail, and by which test:
-//   normal along y mirrored           a_unit_corner, signs_of_a_grid, perturbed_side
-//   perturbation by (e^3, e^2, e)     perturbed_side
-//   absolute tolerance without its end  absolute_tolerance
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -64,54 +64,6 @@ Three grid_triangle(Random& random, int radius)
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(hand_made_triangles_of_every_kind_of_contact)
-{
-  struct Named_pair {
-    const char* name;
-    Three p, q;
-    bool meet;
-  };
-  const Three t = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
-  const std::vector<Named_pair> pairs = {
-      {"through", t, {{{1, 1, -1}, {1, 1, 1}, {5, 5, 1}}}, true},
-      {"linked by one edge each", t, {{{1, 1, 1}, {1, 1, -1}, {-3, -3, 0}}}, true},
-      {"beside the other's line", t, {{{3, 3, -1}, {3, 3, 1}, {5, 5, 0}}}, false},
-      {"parallel", t, {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}}, false},
-      {"a corner on the face", t, {{{1, 1, 0}, {1, 1, 2}, {2, 1, 2}}}, true},
-      {"a corner on an edge", t, {{{2, 2, 0}, {5, 5, 2}, {5, 5, -2}}}, true},
-      {"corner to corner", t, {{{4, 0, 0}, {6, 0, 1}, {6, 0, -1}}}, true},
-      {"a corner in the plane, outside", t, {{{3, 3, 0}, {3, 3, 2}, {4, 3, 2}}}, false},
-      {"edge crosses edge", t, {{{2, -1, 0}, {2, 1, 0}, {2, 0, 3}}}, true},
-      {"edge along edge", t, {{{1, 0, 0}, {3, 0, 0}, {2, 0, 3}}}, true},
-      {"edges in line, apart", t, {{{5, 0, 0}, {7, 0, 0}, {6, 0, 3}}}, false},
-      {"one plane, overlapping", t, {{{1, 1, 0}, {5, 1, 0}, {1, 5, 0}}}, true},
-      {"one plane, one inside", t, {{{1, 1, 0}, {1.5, 1, 0}, {1, 1.5, 0}}}, true},
-      {"one plane, crossing with no corner inside",
-       {{{0, 0, 0}, {6, 0, 0}, {3, 5, 0}}},
-       {{{0, 3, 0}, {6, 3, 0}, {3, -2, 0}}},
-       true},
-      {"one plane, apart", t, {{{3, 3, 0}, {5, 3, 0}, {3, 5, 0}}}, false},
-      {"one plane, a corner shared", t, {{{4, 0, 0}, {8, 0, 0}, {8, 4, 0}}}, true},
-      {"a segment through", t, {{{1, 1, -1}, {1, 1, 1}, {1, 1, 1}}}, true},
-      {"a segment in the plane, across", t, {{{-1, 1, 0}, {9, 1, 0}, {4, 1, 0}}}, true},
-      {"a segment in the plane, beside", t, {{{5, 1, 0}, {9, 1, 0}, {7, 1, 0}}}, false},
-      {"a segment that ends above", t, {{{1, 1, 2}, {1, 1, 1}, {1, 1, 1}}}, false},
-      {"a point on the face", t, {{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}}}, true},
-      {"a point off the face", t, {{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}, false},
-      {"two points", {{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}, {{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}, true},
-      {"two points apart", {{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}, {{{1, 1, 2}, {1, 1, 2}, {1, 1, 2}}}, false},
-      {"two segments that cross", {{{0, 0, 0}, {2, 2, 2}, {0, 0, 0}}}, {{{0, 2, 0}, {2, 0, 2}, {1, 1, 1}}}, true},
-      {"two skew segments", {{{0, 0, 0}, {2, 0, 0}, {0, 0, 0}}}, {{{1, -1, 1}, {1, 1, 1}, {1, 0, 1}}}, false},
-  };
-  for (const auto& [name, p, q, expected] : pairs) {
-    BOOST_TEST_INFO_SCOPE(name);
-    BOOST_TEST(meet<Adaptive>(p, q) == expected);
-    BOOST_TEST(meet<Rational_kernel>(p, q) == expected);
-    BOOST_TEST(meet<Double>(p, q) == expected);
-    BOOST_TEST(share_a_point(p, q) == expected);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(every_triangle_of_a_small_grid_against_some)
 {
   // All triangles with corners on {0,1}^2 x {0,1,2}, degenerate ones too, against representatives of every shape.

@@ -2,14 +2,13 @@
 
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/test/support/scenes.h"
+#include "verify/test/support/self_touching.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_contacts)
 
@@ -119,33 +118,8 @@ BOOST_AUTO_TEST_CASE(places_are_exact_enclosed_and_nearest)
       }
   }
   BOOST_TEST(some_fraction);
-}
-
-BOOST_AUTO_TEST_CASE(every_exact_kernel_and_method_lists_the_same_and_others_refuse)
-{
-  const Body body(cube);
-  const Pose touching = Pose::translation(1, 1, 0.25);
-  const auto listed = [&](const char* kernel, Method method) {
-    Query_options options = *parse_kernel(kernel);
-    options.method = method;
-    const Contacts contacts = Query(body, body, Question::surface, options).contacts(Pose(), touching);
-    std::vector<std::vector<std::string>> pieces;
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      pieces.push_back({std::to_string(contacts[k].face_a), std::to_string(contacts[k].face_b),
-                        std::string(to_string(contacts[k].kind)), std::string(to_string(contacts[k].in_a)),
-                        std::string(to_string(contacts[k].in_b))});
-      const auto loops = contacts.exact_loops(k);
-      for (const auto& x : loops[0]) pieces.back().insert(pieces.back().end(), x.begin(), x.end());
-    }
-    return pieces;
-  };
-  const auto first = listed("adaptive", Method::tree);
-  BOOST_TEST(!first.empty());
-  for (const char* kernel : {"adaptive", "epeck", "rational"})
-    for (const Method method : {Method::tree, Method::paper, Method::brute})
-      BOOST_TEST((listed(kernel, method) == first), kernel << ' ' << to_string(method));
-  BOOST_CHECK_THROW(listed("double", Method::tree), Error);
-  BOOST_CHECK_THROW(listed("epick", Method::paper), Error);
+  Query rounded{Body(cube), Body(cube), Question::surface, {.kernel = Kernel::double_}};
+  BOOST_CHECK_THROW(rounded.contacts(Pose(), Pose()), Error);
 }
 
 BOOST_AUTO_TEST_CASE(an_edge_is_listed_once_with_each_face_that_it_meets)
@@ -168,19 +142,8 @@ BOOST_AUTO_TEST_CASE(grids_in_one_plane_take_what_they_print)
 {
   // 2 x 60 x 60 triangles on as many of another grid: each meets a few, not all.
   constexpr int n = 60;
-  const auto grid = [](double step) {
-    Polyhedron grid;
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= n; ++j) grid.vertices.push_back({i * step, j * step, 0});
-    for (Index i = 0; i < n; ++i)
-      for (Index j = 0; j < n; ++j) {
-        const Index v = i * (n + 1) + j;
-        grid.add_polygon({v, v + n + 1, v + 1});
-        grid.add_polygon({v + 1, v + n + 1, v + n + 2});
-      }
-    return grid;
-  };
-  Query query{Body(grid(1)), Body(grid(1.25)), Question::surface};
+  const Polyhedron grid = scenes::grid(n);
+  Query query{Body(grid), Body(scenes::moved(grid, 1.25)), Question::surface};
   const Contacts contacts = query.contacts(Pose(), Pose());
   const auto features = query.features(Pose(), Pose());
   BOOST_TEST(contacts.size() > 2u * n * n);

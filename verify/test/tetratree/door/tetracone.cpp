@@ -193,22 +193,6 @@ BOOST_AUTO_TEST_CASE(many_poses_have_the_answers_of_each)
   BOOST_TEST(query.collide(std::vector<Pose>(), {}).empty());
 }
 
-BOOST_AUTO_TEST_CASE(a_pose_of_fractions_is_taken_exactly)
-{
-  // A third of a turn's rotation has no doubles; cubes that touch under it, and a hair off.
-  const Body cube(scenes::unit_cube());
-  Query query(cube, cube);
-  const auto at = [](const std::string& x) {
-    return Pose::from_text({"3/5", "-4/5", "0", x, "4/5", "3/5", "0", "0", "0", "0", "1", "0"});
-  };
-  const Pose origin = at("0");
-  const auto beside = [](const std::string& x, const std::string& y) {
-    return Pose::from_text({"3/5", "-4/5", "0", x, "4/5", "3/5", "0", y, "0", "0", "1", "0"});
-  };
-  BOOST_TEST(bool(query.collide(origin, beside("3/5", "4/5"))));
-  BOOST_TEST(!query.collide(origin, beside("3000000000000000000000000000001/5000000000000000000000000000000", "4/5")));
-}
-
 BOOST_AUTO_TEST_CASE(what_repair_does_is_said)
 {
   const auto bent = tetracone::repaired(with_corner(1.5));
@@ -229,20 +213,6 @@ BOOST_AUTO_TEST_CASE(what_repair_does_is_said)
   BOOST_TEST(said([&] {
                Query(Body(all), Body(all));
              }).find("(consistent orientation may close it: tetracone/repair.h)") != std::string::npos);
-}
-
-BOOST_AUTO_TEST_CASE(work_is_counted_and_features_are_found)
-{
-  const Body a(scenes::unit_cube());
-  Query query(a, a);
-  BOOST_TEST(bool(query.collide(Pose(), Pose::translation(0.5, 0.25, 0))));
-  BOOST_TEST(query.statistics().queries == 1u);
-  BOOST_TEST(query.node_count() > 0u);
-  BOOST_TEST(query.bytes() > 0u);
-  BOOST_TEST(!query.features(Pose(), Pose::translation(1, 0, 0)).empty());
-  BOOST_TEST(query.features(Pose(), Pose::translation(2, 0, 0)).empty());
-  query.clear_statistics();
-  BOOST_TEST(query.statistics().queries == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(points_of_doubles_and_of_fractions_are_located_exactly)

@@ -126,20 +126,4 @@ BOOST_AUTO_TEST_CASE(the_loop_is_the_papers_step_by_step)
   BOOST_TEST(end[0] < 0.01);
 }
 
-BOOST_AUTO_TEST_CASE(a_point_at_the_origin_is_bounded_by_anything_small)
-{
-  const Tetra_cone cone = Tetra_cone::octant(3);
-  const std::vector<Bound_point<double>> points = {{0, 0, 0}};
-  const double radius = enclosing_ball<double, true>({0, 0, 0}, points).radius;
-  const Cone_coordinates<double, true> coordinates(cone.ray, 1.0 / lattice_size, points, radius);
-  for (const Far_plane plane : {Far_plane::shortened, Far_plane::tightest}) {
-    Config config;
-    config.far_plane = plane;
-    for (const double length : bounding_tetrahedron(coordinates, config)) {
-      BOOST_TEST(length > 0);
-      BOOST_TEST(length < 1e-100);
-    }
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()

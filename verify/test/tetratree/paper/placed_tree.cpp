@@ -29,4 +29,16 @@ BOOST_AUTO_TEST_CASE(a_question_about_a_point_makes_only_the_nodes_of_its_cones)
   BOOST_TEST(tree.node_count() == made);
 }
 
+BOOST_AUTO_TEST_CASE(a_point_on_the_border_of_cones_is_in_one_of_them)
+{
+  Config config;
+  config.depth = 3;
+  config.leaf_size = 1;
+  Tetra_tree<K> tree(scenes::cube(1), config);
+  Placed_tree<K> placed(tree);
+  placed.place(Pose());
+  for (const Vertex& p : {Vertex{0.5, 0, 0}, {0.25, 0.5, 0}, {0.25, 0.25, 0.25}, {0, 0, -0.5}})
+    BOOST_TEST(placed.contains(point<K>(p)));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -125,15 +125,4 @@ BOOST_AUTO_TEST_CASE(the_plane_of_the_hull_is_at_dmax_and_that_of_the_sphere_at_
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_normal_faces_the_direction_asked_for)
-{
-  Random random(3);
-  for (int n = 0; n < 500; ++n) {
-    const Vertex d = scenes::real_vertex(random, 1);
-    const Half_space<double> plane = Hull({0, 0, 0}, 1 + n % 8, 1, 1).towards(d);
-    BOOST_TEST(dot(plane.normal, d) > 0);
-    BOOST_TEST(plane.offset > 0);
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()

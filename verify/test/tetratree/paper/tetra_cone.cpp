@@ -7,9 +7,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
-#include <cstdlib>
-#include <set>
-#include <tuple>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_tetra_cone)
@@ -26,16 +23,6 @@ BOOST_AUTO_TEST_CASE(the_first_octant_is_the_papers)
   BOOST_TEST((cone.ray[0] == Direction{0, 0, lattice_size}));
   BOOST_TEST((cone.ray[1] == Direction{lattice_size, 0, 0}));
   BOOST_TEST((cone.ray[2] == Direction{0, lattice_size, 0}));
-}
-
-BOOST_AUTO_TEST_CASE(the_octants_are_positive_and_their_own)
-{
-  for (int k = 0; k < 8; ++k) {
-    const Tetra_cone cone = Tetra_cone::octant(k);
-    BOOST_TEST((determinant(cone) > 0));
-    for (const Direction& d : cone.ray)
-      for (int axis = 0; axis < 3; ++axis) BOOST_TEST((k >> axis & 1 ? -d[axis] : d[axis]) >= 0);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(children_are_the_papers_positive_and_a_quarter_of_their_parent_each)
@@ -55,28 +42,6 @@ BOOST_AUTO_TEST_CASE(children_are_the_papers_positive_and_a_quarter_of_their_par
       const Tetra_cone cone = scenes::random_cone(random, level);
       for (int k = 0; k < 4; ++k) BOOST_TEST((4 * determinant(cone.child(k)) == determinant(cone)));
     }
-}
-
-BOOST_AUTO_TEST_CASE(rays_stay_integer_points_of_the_octahedron_down_to_the_deepest_level)
-{
-  scenes::Random random(3);
-  for (int n = 0; n < 1000; ++n)
-    for (const Direction& d : scenes::random_cone(random, max_cone_depth).ray)
-      BOOST_TEST(std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]) == lattice_size);
-}
-
-BOOST_AUTO_TEST_CASE(cones_of_a_level_share_their_rays)
-{
-  // Closed about the origin: every two rays that are a side of one cone are one of exactly one other.
-  for (int level = 1; level <= 4; ++level) {
-    std::multiset<std::array<Direction, 2>> sides;
-    for (const Tetra_cone& cone : scenes::cones_of_level(level))
-      for (int i = 0; i < 3; ++i) sides.insert({cone.ray[i], cone.ray[(i + 1) % 3]});
-    for (const auto& [a, b] : sides) {
-      BOOST_TEST(sides.count({a, b}) == 1u);
-      BOOST_TEST(sides.count({b, a}) == 1u);
-    }
-  }
 }
 
 BOOST_AUTO_TEST_CASE(points_of_a_cone_are_its_lattice_points_and_are_placed_exactly)

@@ -6,7 +6,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -16,7 +15,6 @@ BOOST_AUTO_TEST_SUITE(test_tetra_tree)
 
 using namespace tetracone::tetratree;
 using namespace tetracone::kernel;
-using tetracone::covering::Polyhedron;
 namespace scenes = tetracone::verify::scenes;
 using scenes::Random;
 
@@ -131,16 +129,6 @@ KERNEL_TEST_CASE(nodes_are_cones_in_their_parents_cone_and_depth_and_leaf_size_a
     BOOST_TEST(wrong == 0);
     BOOST_TEST(reached == tree.node_count());
   }
-}
-
-BOOST_AUTO_TEST_CASE(without_depth_the_tree_is_one_list)
-{
-  const Polyhedron body = scenes::cube_with_tunnel();
-  const Tetra_tree<Adaptive> tree(body, Config::brute());
-  BOOST_REQUIRE(tree.node_count() == 1u);
-  BOOST_TEST(tree.node(0).is_leaf);
-  BOOST_TEST(tree.faces(tree.node(0)).size() == body.face_count());
-  BOOST_TEST(tree.edges(tree.node(0)).size() == tree.model().covering().edges().size());
 }
 
 BOOST_AUTO_TEST_CASE(the_depth_follows_the_size_and_is_kept_within_the_lattice)

@@ -273,21 +273,14 @@ BOOST_AUTO_TEST_CASE(what_reaches_beyond_the_plane_of_a_landing_is_met_first)
   // A post on the table, and a peg under the plate, each by a hair beyond the planes that land on one another.
   for (const double beyond : {0.0, 0x1p-50, 0x1p-30, 0.125, -0x1p-30})
     for (const bool is_below : {false, true}) {
-      const auto with = [](Polyhedron body, const Polyhedron& part) {
-        const auto first = Index(body.vertices.size());
-        body.vertices.insert(body.vertices.end(), part.vertices.begin(), part.vertices.end());
-        for (Index f = 0; f < part.face_count(); ++f)
-          body.add_polygon({first + part.loop(f, 0)[0], first + part.loop(f, 0)[1], first + part.loop(f, 0)[2]});
-        return body;
-      };
       const auto post = [](double low, double high) {
         return scenes::triangulated(scenes::box({0.25, 0.25, low}, {0.375, 0.5, high}));
       };
       Polyhedron below = tetracone::verify::plate(6, -0.25, 0), above = tetracone::verify::plate(6, 0, 0.25);
       if (is_below)
-        below = with(below, post(-0.125, beyond));
+        below = scenes::both(below, post(-0.125, beyond));
       else
-        above = with(above, post(-beyond, 0.125));
+        above = scenes::both(above, post(-beyond, 0.125));
       const Bvh8 a(below), b(above);
       const auto found = Bvh8_motion(a, b)(rests, shift({0, 0, 1}, {0, 0, -2}));
       BOOST_REQUIRE(found.has_value());

@@ -185,7 +185,34 @@ std::vector<const Family*> named(const std::vector<const char*>& names)
   return families;
 }
 
+/// Asks the exact subjects of a level so many cases of every family: both truths agree, all answers are right, and all
+/// relations hold.
+template <class Level>
+void check_exact(std::uint64_t cases)
+{
+  auto subjects = Level::subjects();
+  std::erase_if(subjects, [](const auto& subject) { return !subject.is_exact; });
+  Rows<Level> rows(Level::families(), subjects);
+  rows.ask(cases);
+  BOOST_TEST_CONTEXT(Level::name)
+  {
+    BOOST_TEST(rows.sum(wrong, "%") == 0);
+    BOOST_TEST(rows.relations("violated", "%") == 0);
+    BOOST_TEST(rows.relations("tried", "%") > 0);
+  }
+}
+
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(exact_subjects_are_right_about_every_family)
+{
+  check_exact<levels::Predicates>(24);
+  check_exact<levels::Objects>(2);
+  check_exact<levels::Features>(2);
+  check_exact<levels::Contacts>(2);
+  check_exact<levels::Points>(8);
+  check_exact<levels::Rays>(8);
+}
 
 BOOST_AUTO_TEST_CASE(every_distance_of_every_family_is_exact)
 {

@@ -25,20 +25,6 @@ BOOST_AUTO_TEST_CASE(wilson_is_the_interval_of_the_textbook)
   BOOST_TEST(std::abs(wilson(5, 10).high - 0.7634069) < 1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(wilson_is_symmetric_and_narrows)
-{
-  for (const int n : {1, 2, 7, 100, 100000})
-    for (const int hits : {0, 1, n / 2, n - 1, n}) {
-      const Interval here = wilson(hits, n), mirrored = wilson(n - hits, n), more = wilson(4 * hits, 4 * n);
-      BOOST_TEST(std::abs(here.low - (1 - mirrored.high)) < 1e-12);
-      BOOST_TEST(here.low <= double(hits) / n);
-      BOOST_TEST(here.high >= double(hits) / n);
-      BOOST_TEST(more.high - more.low < here.high - here.low);
-    }
-  BOOST_TEST(wilson(0, 0).low == 0);
-  BOOST_TEST(wilson(0, 0).high == 1);
-}
-
 BOOST_AUTO_TEST_CASE(tables_add_up_and_quote)
 {
   const Temporary_file file("tables.db", "");

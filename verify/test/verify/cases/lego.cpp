@@ -5,17 +5,11 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <array>
-#include <utility>
-
 BOOST_AUTO_TEST_SUITE(test_lego)
 
 using namespace tetracone;
 using namespace tetracone::verify;
 using namespace tetracone::verify::lego;
-using kernel::Rational;
-using kernel::Solid_contact;
-using kernel::Solid_relation;
 
 namespace {
 
@@ -28,53 +22,7 @@ Cells hollow()
   return cells;
 }
 
-Solid_contact contact(const Cells& a, const Cells& b, const Cell& offset)
-{
-  return overlap({{a}}, {{b}}, offset).contact;
-}
-
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(each_relation_and_dimension_is_counted)
-{
-  BOOST_TEST((contact(cube, cube, {3, 0, 0}) == Solid_contact{Solid_relation::disjoint, -1}));
-  BOOST_TEST((contact(cube, cube, {2, 2, -2}) == Solid_contact{Solid_relation::meet, 0}));
-  BOOST_TEST((contact(cube, cube, {2, 2, 1}) == Solid_contact{Solid_relation::meet, 1}));
-  BOOST_TEST((contact(cube, cube, {2, 1, 1}) == Solid_contact{Solid_relation::meet, 2}));
-  BOOST_TEST((contact(cube, cube, {1, 0, 0}) == Solid_contact{Solid_relation::overlap, 2}));
-  BOOST_TEST((contact(cube, cube, {1, 1, 1}) == Solid_contact{Solid_relation::overlap, 1}));
-  BOOST_TEST((contact(cube, cube, {0, 0, 0}) == Solid_contact{Solid_relation::equal, 2}));
-  BOOST_TEST((contact(cube, big, {-1, -2, -3}) == Solid_contact{Solid_relation::inside, -1}));
-  BOOST_TEST((contact(big, cube, {1, 2, 3}) == Solid_contact{Solid_relation::contains, -1}));
-  BOOST_TEST((contact(cube, big, {0, -2, -3}) == Solid_contact{Solid_relation::covered_by, 2}));
-  BOOST_TEST((contact(big, cube, {0, 2, 3}) == Solid_contact{Solid_relation::covers, 2}));
-  BOOST_TEST((contact(hollow(), cube, {2, 2, 2}) == Solid_contact{Solid_relation::meet, 2}));
-}
-
-BOOST_AUTO_TEST_CASE(membranes_lie_in_the_interior_and_sheets_do_not)
-{
-  // A wall between two halves of a box is no border, whether their windings are equal or not.
-  const Cells left = block({0, 0, 0}, {2, 4, 4}), right = block({2, 0, 0}, {4, 4, 4});
-  for (const int turn : {1, -1})
-    BOOST_TEST(
-        (overlap({{cube}}, {{left}, {right, turn}}, {-4, -3, -3}).contact == Solid_contact{Solid_relation::inside, 2}));
-  // A cube taken from another one leaves its walls, which have an interior nowhere.
-  const Bricks sheet = {{cube, 1}, {cube, -1}};
-  BOOST_TEST((overlap(sheet, sheet, {0, 0, 0}).contact == Solid_contact{Solid_relation::equal, 2}));
-  BOOST_TEST((overlap(sheet, {{big}}, {-2, -2, -2}).contact == Solid_contact{Solid_relation::inside, -1}));
-  BOOST_TEST((overlap(sheet, {{cube}}, {0, 0, 0}).contact == Solid_contact{Solid_relation::covered_by, 2}));
-  BOOST_TEST((overlap(sheet, {{big}}, {-1, -2, -7}).contact == Solid_contact{Solid_relation::disjoint, -1}));
-  BOOST_TEST((overlap(sheet, {{big}}, {-2, -2, -5}).contact == Solid_contact{Solid_relation::meet, 1}));
-}
-
-BOOST_AUTO_TEST_CASE(overlaps_are_counted_with_their_centroid)
-{
-  const Solid_overlap half = overlap({{cube}}, {{cube}}, {1, 0, -1});
-  BOOST_TEST((half.volume == Rational(1, 4)));
-  BOOST_TEST((half.centroid == std::array<Rational, 3>{Rational(3, 4), Rational(1, 2), Rational(1, 4)}));
-  const Solid_overlap none = overlap({{cube}}, {{cube}}, {2, 0, 0});
-  BOOST_TEST((none.volume == 0 && none.centroid == std::array<Rational, 3>{0, 0, 0}));
-}
 
 BOOST_AUTO_TEST_CASE(every_division_of_a_surface_is_closed_planar_and_has_the_volume_of_its_cells)
 {

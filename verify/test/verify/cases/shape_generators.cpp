@@ -127,37 +127,6 @@ BOOST_AUTO_TEST_CASE(complex_two_has_the_papers_counts_and_our_shape)
   BOOST_TEST((*c.volume * 4096 == volume));
 }
 
-BOOST_AUTO_TEST_CASE(complex_polyhedra_are_of_about_unit_size)
-{
-  for (const Polyhedron& p : {complex_one(), complex_two()}) {
-    BOOST_TEST(radius(p) > 0.9);
-    BOOST_TEST(radius(p) < 1.3);
-    for (const double x : centroid(p)) BOOST_TEST(std::abs(x) < 0.25);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(boxes_have_their_volume)
-{
-  const Check cube = check_clean(unit_cube(), 0);
-  BOOST_TEST(cube.faces == 6u);
-  BOOST_TEST((*cube.volume == 1));
-  BOOST_TEST((*check_clean(box({-1, 2, 0.5}, {1, 5, 0.75}), 0).volume == Rational(1.5)));
-  const Check tunnel = check_clean(prism_with_tunnel(), 1);
-  BOOST_TEST(tunnel.faces == 10u);
-  BOOST_TEST((*tunnel.volume == Rational(0.5625)));
-}
-
-BOOST_AUTO_TEST_CASE(a_cavity_is_a_second_shell_reversed)
-{
-  const Polyhedron p = box_with_cavity(1, 0.5);
-  const Check c = covering::check(p);
-  BOOST_TEST(c.closed);
-  BOOST_REQUIRE(c.shells.size() == 2u);
-  BOOST_TEST((*c.shells[0].volume == 8));
-  BOOST_TEST((*c.shells[1].volume == -1));
-  BOOST_TEST(!intersects_itself(p));
-}
-
 BOOST_AUTO_TEST_CASE(voxels_make_unit_squares_between_full_and_empty)
 {
   BOOST_TEST((*check_clean(voxel_solid({true}, 1, 1, 1), 0).volume == 1));
@@ -285,20 +254,6 @@ BOOST_AUTO_TEST_CASE(turn_is_cosine_and_sine)
   }
   BOOST_TEST((turn(0.25) == std::array<double, 2>{0, 1}));
   BOOST_TEST((turn(-0.5) == std::array<double, 2>{-1, 0}));
-}
-
-BOOST_AUTO_TEST_CASE(rotations_are_orthonormal)
-{
-  Random random(3);
-  for (int k = 0; k < 100; ++k) {
-    const auto [w, x, y, z] = random.quaternion();
-    const Rotation r = rotation(w, x, y, z);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const double product = r[i][0] * r[j][0] + r[i][1] * r[j][1] + r[i][2] * r[j][2];
-        BOOST_TEST(std::abs(product - (i == j)) < 1e-14);
-      }
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

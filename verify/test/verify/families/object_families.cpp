@@ -15,7 +15,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -115,27 +114,6 @@ BOOST_AUTO_TEST_CASE(every_body_of_the_pool_is_legal_outward_and_has_places_to_t
                                difference(tunnelled.vertex(c), tunnelled.vertex(a))));
     }
   BOOST_TEST((total == tunnelled.normals[0]));
-}
-
-BOOST_AUTO_TEST_CASE(signed_permutations_are_all_different_and_the_first_half_rotate)
-{
-  std::set<std::array<double, 12>> seen;
-  for (int k = 0; k < 48; ++k) {
-    seen.insert(signed_permutation(k).entries());
-    BOOST_TEST(signed_permutation(k).determinant_sign() == (k < 24 ? CGAL::POSITIVE : CGAL::NEGATIVE));
-  }
-  BOOST_TEST(seen.size() == 48);
-  BOOST_TEST(signed_permutation(0).is_identity());
-}
-
-BOOST_AUTO_TEST_CASE(shears_of_integers_have_their_inverses)
-{
-  Random random(3);
-  for (int k = 0; k < 20; ++k) {
-    const auto [there, back] = shear_and_inverse(random, 9);
-    BOOST_TEST(composed(there, back).is_identity());
-    BOOST_TEST(!there.is_identity());
-  }
 }
 
 BOOST_AUTO_TEST_CASE(cases_are_the_same_again_in_any_order)
@@ -271,26 +249,6 @@ BOOST_AUTO_TEST_CASE(contacts_touch_exactly_and_a_hair_apart_they_do_not)
       if (contact.separated) BOOST_TEST(!meet(power_of_two(-200)));
     }
   }
-}
-
-BOOST_AUTO_TEST_CASE(most_crossing_edges_are_separated_by_a_plane)
-{
-  Random random(5);
-  int separated = 0;
-  for (int k = 0; k < 40; ++k)
-    separated += edge_across_edge(random, any_convex(random), any_convex(random), any_turn(random), 4).separated;
-  BOOST_TEST(separated >= 20);
-}
-
-BOOST_AUTO_TEST_CASE(lowest_vertices_are_exact_where_doubles_see_no_difference)
-{
-  const double tiny = 0x1p-60;
-  const std::vector<kernel::Vertex> vertices = {{1, 1, 0}, {1, 1, -tiny}, {2, 0, -tiny}, {0, 2, 0}};
-  const Exact_vector direction = {1, 1, 1};
-  BOOST_TEST(lowest(vertices, direction) == (std::vector<covering::Index>{1, 2}));
-  BOOST_TEST(lowest(vertices, {0, 0, 0}).size() == 4);
-  const std::vector<kernel::Vertex> huge = {{1e308, 1e308, 1e308}, {1e308, 1e308, 0}};
-  BOOST_TEST(lowest(huge, direction) == (std::vector<covering::Index>{1}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,8 +6,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <string>
-
 BOOST_AUTO_TEST_SUITE(test_integer_overlap)
 
 using namespace tetracone::verify;
@@ -16,30 +14,6 @@ using integer_truth::agrees;
 using integer_truth::Volumes;
 using tetracone::kernel::Rational;
 using tetracone::kernel::Solid_relation;
-
-namespace {
-
-Volumes volumes(const Polyhedron& a, const Polyhedron& b, const Pose& pose_b = Pose())
-{
-  return integer_truth::volumes(object_case(a, Pose(), b, pose_b));
-}
-
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(volumes_of_boxes_and_of_shells_with_any_winding_are_known)
-{
-  const Volumes corner = volumes(cube(2), cube(2), translation(1, 2, 3));
-  BOOST_TEST((corner.both == 3 * 2 && corner.only_a == 64 - 6 && corner.only_b == 64 - 6));
-  const Volumes hollow = volumes(cube_with_cavity(), turned(cube(2)));
-  BOOST_TEST((hollow.both == 0 && hollow.only_a == 6 * 36 - 64 && hollow.only_b == 64));
-  Polyhedron twice = cube(1);
-  append(twice, cube(1));
-  const Volumes same = volumes(twice, cube(1));
-  BOOST_TEST((same.both == 8 && same.only_a == 0 && same.only_b == 0));
-  const Volumes corners =
-      volumes(tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), cube(1), translation(-1, -1, -1));
-  BOOST_TEST((corners.both == 0 && corners.only_a == Rational(1, 6) && corners.only_b == 8));
-}
 
 BOOST_AUTO_TEST_CASE(the_two_truths_agree_on_small_bodies_of_every_kind)
 {

@@ -12,7 +12,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -85,19 +84,6 @@ const Pose turned(std::array<double, 12>{0.8, -0.6, 0, 0.1, 0.6, 0.8, 0, 0.2, 0,
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(bits_count_the_digits_that_a_number_needs)
-{
-  BOOST_TEST(verify::bits(0.0) == 0u);
-  BOOST_TEST(verify::bits(-0.0) == 0u);
-  BOOST_TEST(verify::bits(1.0) == 1u);
-  BOOST_TEST(verify::bits(-3.0) == 2u);
-  BOOST_TEST(verify::bits(0.5) == 2u);
-  BOOST_TEST(verify::bits(0x1p-1074) == 12u);
-  BOOST_TEST(verify::bits(0.1) > 50u);
-  BOOST_TEST(verify::bits(kernel::Rational(0.5)) == 2u);
-  BOOST_TEST(verify::bits(kernel::Rational(1) / 3) > 5u);
-}
-
 BOOST_AUTO_TEST_CASE(a_subject_that_never_sees_contact_leaves_two_touching_tetrahedra)
 {
   const Object_case c = case_of(verify::complex_one(), turned, verify::blob(128, 7), Pose());
@@ -107,16 +93,6 @@ BOOST_AUTO_TEST_CASE(a_subject_that_never_sees_contact_leaves_two_touching_tetra
   BOOST_TEST(verify::face_count(small) <= 8u);
   BOOST_TEST((small.pose_a.is_identity() && small.pose_b.is_identity()));
   BOOST_TEST(verify::size_of(small).bits < 40u);
-}
-
-BOOST_AUTO_TEST_CASE(of_surfaces_two_faces_are_left)
-{
-  const Object_case c = case_of(verify::complex_two(), turned, verify::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 4}), Pose());
-  const Object_case small =
-      shrunk(c, Question::surface, [](const Object_case& x) { return verify::true_answer(x, Question::surface); });
-  BOOST_TEST(verify::face_count(small) == 2u);
-  BOOST_TEST(verify::size_of(small).corners <= 6u);
-  BOOST_TEST(verify::size_of(small).bits < 30u);
 }
 
 BOOST_AUTO_TEST_CASE(an_odd_last_bit_is_all_that_is_left_of_many_bits)

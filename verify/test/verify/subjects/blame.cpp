@@ -3,13 +3,12 @@
 #include "tetracone/kernel/predicate/frame.h"
 #include "tetracone/kernel/predicate/tetrahedron.h"
 #include "verify/subjects/blame_stages.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <map>
-#include <memory>
 #include <string>
 
 // Kernels in double, each with one formula that no arithmetic repairs.
@@ -91,11 +90,6 @@ namespace kernel = tetracone::kernel;
 using tetracone::verify::Question;
 
 namespace {
-
-Object_case object_case(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b, const Pose& pose_b)
-{
-  return {std::make_shared<const Polyhedron>(a), std::make_shared<const Polyhedron>(b), pose_a, pose_b, {}, {}, {}};
-}
 
 bool truth_of(const Object_case& c, Question question)
 {

@@ -47,22 +47,4 @@ BOOST_AUTO_TEST_CASE(every_kernel_lists_features_and_exact_ones_alone_list_conta
   for (const Object_subject& subject : contact_subjects()) BOOST_TEST(subject.is_exact, subject.name);
 }
 
-BOOST_AUTO_TEST_CASE(relations_and_overlaps_of_bricks_are_those_that_are_counted)
-{
-  const auto subjects = solid_subjects();
-  BOOST_TEST(subjects.size() == 3);
-  int asked = 0;
-  for (std::uint64_t k = 0; k < 400; ++k) {
-    const Object_case c = find_family("lego")->object_case(21, k);
-    if (c.a->face_count() + c.b->face_count() > 30) continue;  // more take longer than a test should
-    const auto ask = subjects[k % 3].make();
-    const auto told = ask->solids(c);
-    BOOST_TEST_REQUIRE((told.outcome == Outcome::yes), k);
-    BOOST_TEST((told.answer.overlap == *c.overlap), k);
-    BOOST_TEST((told.answer.alone == c.overlap->contact.relation), k);
-    ++asked;
-  }
-  BOOST_TEST(asked > 80);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,9 +8,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
-#include <map>
 #include <set>
 #include <string>
 
@@ -112,68 +110,6 @@ BOOST_AUTO_TEST_CASE(names_are_unique_and_what_is_not_ours_says_where_it_comes_f
        {"adaptive", "rational", "epeck", "epick", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"})
     BOOST_TEST(names.contains(name), name);
   BOOST_TEST(!subject("rational jimenez-segura-feito-sign-error").is_exact);
-}
-
-BOOST_AUTO_TEST_CASE(every_predicate_gives_each_of_its_answers_on_the_grid)
-{
-  Random random(3);
-  std::map<Predicate, std::set<int>> seen;
-  for (int k = 0; k < 500; ++k) {
-    const Predicate_case c = grid_case(random, 2);
-    for (const Predicate predicate : all_predicates)
-      if (const auto truth = true_answer(predicate, c)) seen[predicate].insert(*truth);
-  }
-  for (const Predicate predicate : all_predicates) {
-    const bool three = predicate == Predicate::orientation || predicate == Predicate::solid;
-    BOOST_TEST(seen[predicate].size() == (three ? 3u : 2u), to_string(predicate));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(exact_subjects_are_right_on_degenerate_and_random_cases_under_every_pose)
-{
-  const kernel::Pose turned = kernel::Pose::from_quaternion(3, -1, 2, 5, {kernel::Rational(1) / 3, 0, -2});
-  const kernel::Pose mirrored(std::array<double, 12>{0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0});
-  const kernel::Pose sheared(std::array<double, 12>{1, 3, 0, 1, 0, 1, 0, 0, -2, 0, 1, 0});
-  for (const char* name : {"adaptive", "rational", "epeck"}) {
-    const Predicate_subject& s = subject(name);
-    BOOST_TEST(s.is_exact);
-    Random random(11);
-    int turn = 0;
-    const auto result = tally(s, 600, [&] {
-      Predicate_case c = turn % 4 == 3 ? nearly_on_plane(random) : grid_case(random, turn % 2 == 0 ? 1 : 2);
-      switch (turn++ % 7) {
-        case 0: break;
-        case 1: c.pose_a = c.pose_b = turned; break;
-        case 2: c.pose_a = c.pose_b = rounded_rotation(random); break;
-        case 3:
-          c.pose_a = mirrored;
-          c.pose_b = kernel::Pose::translation(1, 0, 0);
-          break;
-        case 4:
-          c.pose_a = sheared;
-          c.pose_b = mirrored;
-          break;
-        case 5: c.pose_b = turned; break;
-        default:
-          c.pose_a = rounded_rotation(random);
-          c.pose_b = sheared;
-          break;
-      }
-      return c;
-    });
-    BOOST_TEST(result.wrong == 0, name);
-    BOOST_TEST(result.asked > 2500, name);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(small_grids_where_they_stand_are_exact_in_every_kernel)
-{
-  for (const char* name : {"epick", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"}) {
-    Random random(5);
-    const auto result = tally(subject(name), 300, [&] { return grid_case(random, 2); });
-    BOOST_TEST(result.wrong == 0, name);
-    BOOST_TEST(result.asked > 1000, name);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(
@@ -288,43 +224,6 @@ BOOST_AUTO_TEST_CASE(the_published_wrong_sign_loses_every_segment_that_starts_on
   BOOST_TEST(errors_of_right == 0);
   BOOST_TEST(errors_of_segura == 0);
   BOOST_TEST_MESSAGE("hits " << hits << ", of them first end on the plane " << on_plane);
-}
-
-BOOST_AUTO_TEST_CASE(exact_arithmetic_repeats_the_wrong_sign)
-{
-  Random random(17);
-  const auto& in_double = subject("double jimenez-segura-feito-sign-error");
-  const auto& in_rational = subject("rational jimenez-segura-feito-sign-error");
-  int wrong = 0;
-  for (int k = 0; k < 3000; ++k) {
-    const Predicate_case c = grid_case(random, 3);
-    const auto rounded = in_double.answer(Predicate::segment_triangle, c),
-               exact = in_rational.answer(Predicate::segment_triangle, c);
-    BOOST_TEST((rounded == exact));
-    wrong += *exact != *true_answer(Predicate::segment_triangle, c);
-  }
-  BOOST_TEST(wrong > 0);
-}
-
-BOOST_AUTO_TEST_CASE(what_is_no_volume_at_all_is_answered_without_a_crash)
-{
-  Random random(23);
-  for (const double size : {1e308, 1e200, 1e-200, 5e-324, 0.0}) {
-    for (int k = 0; k < 20; ++k) {
-      Predicate_case c = grid_case(random, 1);
-      for (kernel::Vertex* v : points(c))
-        for (double& x : *v) x *= size;
-      if (k % 2 == 1) c.pose_a = c.pose_b = rounded_rotation(random);
-      for (const Predicate_subject& s : predicate_subjects())
-        for (const Predicate predicate : all_predicates) {
-          const auto answer = s.answer(predicate, c);
-          if (s.is_exact && answer) {
-            const auto truth = true_answer(predicate, c);
-            if (truth) BOOST_TEST(*answer == *truth, s.name << " " << to_string(predicate));
-          }
-        }
-    }
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

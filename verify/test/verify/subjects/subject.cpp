@@ -1,13 +1,10 @@
 #include "verify/subjects/subject.h"
 
 #include "verify/test/support/scenes.h"
-#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <cmath>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -118,41 +115,6 @@ BOOST_AUTO_TEST_CASE(three_kernels_are_exact)
   for (const std::string& kernel : kernels)
     BOOST_TEST(Subject::parse(kernel)->is_exact() ==
                (kernel == "adaptive" || kernel == "epeck" || kernel == "rational"));
-}
-
-BOOST_AUTO_TEST_CASE(every_subject_answers_as_the_truth_where_nothing_is_degenerate)
-{
-  Random random(21);
-  const std::vector<std::pair<Polyhedron, Polyhedron>> pairs = {
-      {blob(random, 1, 1.5, 2), star_prism()},
-      {triangulated(cube(2)), blob(random, 1, 0.5, 1)},
-      {cube_with_tunnel(), box({-0.5, -0.5, -2}, {0.5, 0.75, 2})},
-      {cube_with_cavity(), blob(random, 1, 0.5, 1)}};
-  int surfaces = 0, nested = 0, apart = 0;
-  for (const auto& [a, b] : pairs) {
-    std::vector<std::unique_ptr<Prepared_pair>> prepared;
-    for (const Subject& subject : all_subjects()) prepared.push_back(prepare(subject, a, b));
-    const Brute_body truth_a(a), truth_b(b);
-    for (int round = 0; round < 7; ++round) {
-      Pose turn = random_rotation(random, 9);
-      std::array<double, 12> entries = turn.entries();
-      for (int k = 3; k < 12; k += 4) entries[k] = real(random, -2.5, 2.5) * (round % 3 == 0 ? 0.1 : 1);
-      const Pose pose_a = rounded(random_rotation(random, 9)), pose_b(entries);
-      const bool solid = collide(truth_a, pose_a, truth_b, pose_b),
-                 surface = collide(truth_a, pose_a, truth_b, pose_b, Question::surface);
-      ++(surface ? surfaces : solid ? nested : apart);
-      const auto pairs_of_features = features(truth_a, pose_a, truth_b, pose_b);
-      for (std::size_t k = 0; k < prepared.size(); ++k) {
-        BOOST_TEST_INFO_SCOPE(all_subjects()[k].name() << ", round " << round);
-        BOOST_TEST(prepared[k]->collide(pose_a, pose_b, Question::solid) == solid);
-        BOOST_TEST(prepared[k]->collide(pose_a, pose_b, Question::surface) == surface);
-        if (round % 3 == 0) BOOST_TEST((prepared[k]->features(pose_a, pose_b) == pairs_of_features));
-      }
-    }
-  }
-  BOOST_TEST(surfaces > 5);
-  BOOST_TEST(nested > 2);
-  BOOST_TEST(apart > 2);
 }
 
 BOOST_AUTO_TEST_CASE(a_tolerance_is_its_own_subjects_and_nobody_elses)

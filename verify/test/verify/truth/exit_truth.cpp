@@ -1,14 +1,10 @@
 #include "verify/truth/exit_truth.h"
 
-#include "verify/cases/lego.h"
-#include "verify/families/families.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <array>
-#include <memory>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_exit_truth)
 
@@ -18,15 +14,9 @@ using tetracone::kernel::Rational;
 
 namespace {
 
-Object_case of(scenes::Polyhedron a, scenes::Polyhedron b, const Pose& pose_a = Pose())
+Object_case of(const scenes::Polyhedron& a, const scenes::Polyhedron& b, const Pose& pose_a = Pose())
 {
-  return {std::make_shared<const scenes::Polyhedron>(std::move(a)),
-          std::make_shared<const scenes::Polyhedron>(std::move(b)),
-          pose_a,
-          Pose(),
-          {},
-          {},
-          {}};
+  return scenes::object_case(a, pose_a, b, Pose());
 }
 
 }  // namespace
@@ -55,27 +45,6 @@ BOOST_AUTO_TEST_CASE(normals_of_convex_bodies_say_what_events_do)
   }
   BOOST_TEST(convex_exit(of(a, a), {2, 0, 0}) == Rational(1, 2));
   BOOST_TEST(convex_exit(of(a, a, Pose::translation(0, 1, 0)), {2, 0, 0}) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(bricks_are_counted_as_events_say)
-{
-  int counted = 0, overlapping = 0;
-  for (std::uint64_t k = 0; k < 40 && counted < 8; ++k) {
-    const Object_case c = find_family("lego")->object_case(5, k);
-    BOOST_TEST_REQUIRE(c.exits.has_value());
-    if (c.a->face_count() + c.b->face_count() > 20) continue;
-    ++counted;
-    overlapping += c.exits->exits.first > 0;
-    BOOST_TEST((exits_by_events(c, c.exits->direction) == c.exits->exits), k);
-  }
-  BOOST_TEST(counted >= 5);
-  BOOST_TEST(overlapping >= 2);
-  using lego::block;
-  const lego::Bricks low = {{block({0, 0, 0}, {2, 1, 1})}},
-                     high = {{block({0, 0, 0}, {1, 1, 1})}, {block({3, 0, 0}, {4, 1, 1})}};
-  BOOST_TEST((lego::exits(low, high, {0, 0, 0}, 0, 1) == Solid_exits{1, 4}));
-  BOOST_TEST((lego::exits(low, high, {1, 0, 0}, 0, -1) == Solid_exits{Rational(3, 2), Rational(3, 2)}));
-  BOOST_TEST((lego::exits(low, high, {-2, 0, 0}, 0, 1) == Solid_exits{0, 0}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,19 +1,16 @@
 #include "verify/truth/overlap_truth.h"
 
-#include "verify/families/families.h"
 #include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <array>
 #include <stdexcept>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_overlap_truth)
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
-using tetracone::kernel::Rational;
 using tetracone::kernel::Solid_contact;
 using tetracone::kernel::Solid_relation;
 namespace kernel = tetracone::kernel;
@@ -42,17 +39,6 @@ Polyhedron with_sheet(Polyhedron body, const std::array<Vertex, 3>& corners)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(the_truth_is_what_is_counted)
-{
-  for (std::uint64_t k = 0; k < 80; ++k) {
-    const Object_case c = find_family("lego")->object_case(11, k);
-    const Solid_overlap overlap = solid_overlap(c);
-    BOOST_TEST((overlap == *c.overlap),
-               k << ": " << to_string(overlap.contact.relation) << ' ' << overlap.contact.dimension << ", counted "
-                 << to_string(c.overlap->contact.relation) << ' ' << c.overlap->contact.dimension);
-  }
-}
 
 BOOST_AUTO_TEST_CASE(segments_and_sheets_of_a_surface_are_parts_of_the_solid_that_have_no_interior)
 {
