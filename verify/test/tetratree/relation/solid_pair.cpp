@@ -111,6 +111,17 @@ BOOST_AUTO_TEST_CASE(faces_without_area_are_points_of_the_solid)
   BOOST_TEST(text_of(box_at({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}), within) == "inside 0");
 }
 
+BOOST_AUTO_TEST_CASE(a_membrane_is_no_border)
+{
+  // The winding number is 2 within the inner cube, and 1 about it.
+  const Polyhedron nested = scenes::both(scenes::cube(3), scenes::cube(2));
+  BOOST_TEST(text_of(nested, scenes::cube(3)) == "equal 2");
+  BOOST_TEST(text_of(scenes::box({1, 1, 1}, {2.5, 2.5, 2.5}), nested) == "inside 1");
+  const Polyhedron glued = scenes::both(scenes::unit_cube(), box_at({1, 0, 0}, {1, 1, 1}));
+  BOOST_TEST(text_of(glued, box_at({0, 0, 0}, {2, 1, 1})) == "equal 2");
+  BOOST_TEST(text_of(box_at({0.5, 0.25, 0}, {0.5, 0.5, 0.5}), glued) == "covered_by 2");
+}
+
 BOOST_AUTO_TEST_CASE(volumes_are_exact)
 {
   const auto overlap = [](const Polyhedron& a, const Polyhedron& b, const Pose& pose = Pose()) {
