@@ -11,6 +11,7 @@
 #include "tetracone/tetratree/memory/pair_memory.h"
 #include "tetracone/tetratree/query/bvh8_containment.h"
 #include "tetracone/tetratree/query/placed_bvh8.h"
+#include "tetracone/tetratree/query/separating_face.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <array>
@@ -140,7 +141,10 @@ class Bvh8_collision {
   void clear_counts() { counts_ = {}; }
 
   /// Returns the bytes of the support tables and the memory; the trees count their own.
-  std::size_t bytes() const { return separating_direction_.bytes() + (own_memory_ ? own_memory_->bytes() : 0); }
+  std::size_t bytes() const
+  {
+    return separating_direction_.bytes() + separating_face_.bytes() + (own_memory_ ? own_memory_->bytes() : 0);
+  }
 
   /// True when fronts are kept. Where leaves are decided by rounding, a certificate could change an answer.
   static constexpr bool keeps_fronts = kernel::Kernel_traits<K>::exact_signs && kernel::Kernel_traits<K>::exact_motion;
@@ -207,7 +211,7 @@ class Bvh8_collision {
         return by_front(*memory);
     }
     const std::uint64_t opened = counts_.pairs_visited;
-    const bool meet = descend_trees(memory);
+    const std::optional<bool> meet = descend_trees(memory);
     if (memory && !memory->front) memory->opened = std::uint32_t(counts_.pairs_visited - opened);
     return meet;
   }
@@ -313,24 +317,32 @@ class Bvh8_collision {
     count(trees);
   }
 
-  /// True when some pair of leaves that the descent does not discard meets, which becomes the witness.
-  bool descend_trees(Pair_memory* memory)
+  /// True when some pair of leaves that the descent does not discard meets, which becomes the witness; nothing where the
+  /// plane of a triangle separates the bodies.
+  std::optional<bool> descend_trees(Pair_memory* memory)
   {
     Both_trees trees = both_trees();
     start(trees);
-    bool meet = false;
-    for (Stop stop; !meet && (stop = descend(stack_, trees)) != Stop::nothing_left;) {
+    separating_face_.restart();
+    bool meet = false, are_apart = false;
+    for (Stop stop; !meet && !are_apart && (stop = descend(stack_, trees)) != Stop::nothing_left;) {
       if (stop == Stop::leaves) {
         const Box_ids boxes = stack_.boxes();
         stack_.pop();
-        meet = leaves_meet(boxes);
+        any_pair(boxes, [&](const Element& a, const Element& b) {
+          const std::uint64_t fallbacks = exact_fallbacks();
+          meet = elements_meet(a, b);
+          if constexpr (std::is_same_v<K, kernel::Adaptive>)
+            are_apart = !meet && exact_fallbacks() != fallbacks && separating_face_(a_, a, b_, b);
+          return meet || are_apart;
+        });
         if (meet && memory) memory->witness = boxes;
       } else {
         make_child();
       }
     }
     count(trees);
-    return meet;
+    return are_apart ? std::nullopt : std::optional(meet);
   }
 
   /// Puts the pair of roots on the stack.
@@ -401,6 +413,7 @@ class Bvh8_collision {
 
   Placed a_, b_;
   Separating_direction separating_direction_;
+  Separating_face separating_face_;
   Bvh8_containment<K> containment_;
   Pair_stack stack_, next_level_;
   std::vector<Box_ids> leaves_;
