@@ -1,6 +1,7 @@
 #ifndef TETRACONE_TETRATREE_QUERY_BVH8_COLLISION_H
 #define TETRACONE_TETRATREE_QUERY_BVH8_COLLISION_H
 
+#include "tetracone/kernel/predicate/kept_sides.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/triangle_triangle.h"
@@ -143,7 +144,8 @@ class Bvh8_collision {
   /// Returns the bytes of the support tables and the memory; the trees count their own.
   std::size_t bytes() const
   {
-    return separating_direction_.bytes() + separating_face_.bytes() + (own_memory_ ? own_memory_->bytes() : 0);
+    return separating_direction_.bytes() + separating_face_.bytes() + kept_sides_.bytes() +
+           (own_memory_ ? own_memory_->bytes() : 0);
   }
 
   /// True when fronts are kept. Where leaves are decided by rounding, a certificate could change an answer.
@@ -264,6 +266,7 @@ class Bvh8_collision {
     if (is_placed_) return;
     a_.placed.place(*pose_a_);
     b_.placed.place(*pose_b_);
+    kept_sides_.clear();
     is_placed_ = true;
   }
 
@@ -330,10 +333,10 @@ class Bvh8_collision {
         const Box_ids boxes = stack_.boxes();
         stack_.pop();
         any_pair(boxes, [&](const Element& a, const Element& b) {
-          const std::uint64_t fallbacks = exact_fallbacks();
+          const std::uint64_t undecided = kept_sides_.undecided();
           meet = elements_meet(a, b);
           if constexpr (std::is_same_v<K, kernel::Adaptive>)
-            are_apart = !meet && exact_fallbacks() != fallbacks && separating_face_(a_, a, b_, b);
+            are_apart = !meet && kept_sides_.undecided() != undecided && separating_face_(a_, a, b_, b, kept_sides_);
           return meet || are_apart;
         });
         if (meet && memory) memory->witness = boxes;
@@ -388,7 +391,12 @@ class Bvh8_collision {
       return edges_meet(a_, a, b_, b) || edges_meet(b_, b, a_, a);
     }
     count_triangles();
-    return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b));
+    if constexpr (std::is_same_v<K, kernel::Adaptive>) {
+      const auto sides_of = [this](const auto& triangle, const auto& points) { return kept_sides_(triangle, points); };
+      return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b), sides_of);
+    } else {
+      return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b));
+    }
   }
 
   /// True when edges of one element meet the other; at least one of the two is a whole face.
@@ -413,6 +421,7 @@ class Bvh8_collision {
 
   Placed a_, b_;
   Separating_direction separating_direction_;
+  kernel::Kept_sides kept_sides_;
   Separating_face separating_face_;
   Bvh8_containment<K> containment_;
   Pair_stack stack_, next_level_;

@@ -3,7 +3,7 @@
 
 #include "tetracone/covering/model.h"
 #include "tetracone/kernel/number/floating_point.h"
-#include "tetracone/kernel/predicate/triangle_triangle.h"
+#include "tetracone/kernel/predicate/kept_sides.h"
 #include "tetracone/tetratree/query/placed_bvh8.h"
 
 #include <algorithm>
@@ -25,12 +25,13 @@ class Separating_face {
 
   /// Tells of two elements that only exact signs have found apart. True when the plane of either is found to separate
   /// the placed bodies. It is tried when it costs no more than the pairs told so far.
-  bool operator()(Placed_bvh8<>& a, const Element& of_a, Placed_bvh8<>& b, const Element& of_b)
+  bool operator()(Placed_bvh8<>& a, const Element& of_a, Placed_bvh8<>& b, const Element& of_b,
+                  kernel::Kept_sides& sides_of)
   {
     ++pairs_;
     if (pairs_ * vertices_of_pair < (attempts_ + 1) * (vertex_count(a) + vertex_count(b))) return false;
     ++attempts_;
-    return separates(a, of_a, side_of_a_, b) || separates(b, of_b, side_of_b_, a);
+    return separates(a, of_a, side_of_a_, b, sides_of) || separates(b, of_b, side_of_b_, a, sides_of);
   }
 
   std::size_t bytes() const { return (side_of_a_.capacity() + side_of_b_.capacity()) * sizeof(Side); }
@@ -49,7 +50,8 @@ class Separating_face {
 
   /// True when the plane of an element of `body` separates it from the other body. `sides` are those that are known of
   /// the body's elements, by their numbers.
-  static bool separates(Placed_bvh8<>& body, const Element& element, std::vector<Side>& sides, Placed_bvh8<>& other)
+  static bool separates(Placed_bvh8<>& body, const Element& element, std::vector<Side>& sides, Placed_bvh8<>& other,
+                        kernel::Kept_sides& sides_of)
   {
     if (element.is_whole_face()) return false;
     if (sides.empty()) sides.resize(body.tree->element_count());
@@ -63,7 +65,7 @@ class Separating_face {
     Sign beyond = kernel::ZERO;
     for (Index v = 0; v <= last; v += 3) {
       const auto vertex = [&](Index k) { return &other.placed.point(kernel::minimum(v + k, last)); };
-      const auto signs = kernel::sides<Adaptive>(triangle, {vertex(0), vertex(1), vertex(2)});
+      const auto signs = sides_of(triangle, {vertex(0), vertex(1), vertex(2)});
       if (v == 0) beyond = signs[0];
       if (beyond == kernel::ZERO || beyond == own) return false;
       if (std::ranges::any_of(signs, [&](Sign sign) { return sign != beyond; })) return false;
