@@ -17,7 +17,7 @@ class Kept_sides {
  public:
   std::array<Sign, 3> operator()(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
   {
-    detail::Some_sides sides = detail::filtered_sides(triangle, points);
+    Some_sides sides = filtered_sides(triangle, points);
     if (sides.decided() < 3) decide(sides, triangle, points);
     return sides.side;
   }
@@ -43,8 +43,7 @@ class Kept_sides {
   /// The places of signs. A sign takes the place of another one that has the same.
   static constexpr std::size_t places = 256;
 
-  [[gnu::noinline]] void decide(detail::Some_sides& sides, const Corners<Adaptive>& triangle,
-                                const Corners<Adaptive>& points)
+  [[gnu::noinline]] void decide(Some_sides& sides, const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
   {
     ++undecided_;
     if (kept_.empty()) kept_.resize(places);

@@ -28,8 +28,6 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
   return side;
 }
 
-namespace detail {
-
 /// Signs of which some are undecided.
 struct Some_sides {
   std::array<Sign, 3> side;
@@ -64,6 +62,8 @@ inline Some_sides filtered_sides(const Corners<Adaptive>& triangle, const Corner
   return sides;
 }
 
+namespace detail {
+
 /// Decides what is undecided by the other stages: a single point, and all three where two or more are undecided. These
 /// are counted (`Stage_counts`).
 inline void decide_others(Some_sides& sides, const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
@@ -80,7 +80,7 @@ inline void decide_others(Some_sides& sides, const Corners<Adaptive>& triangle, 
 template <>
 inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {
-  detail::Some_sides sides = detail::filtered_sides(triangle, points);
+  Some_sides sides = filtered_sides(triangle, points);
   if (sides.decided() < 3) detail::decide_others(sides, triangle, points);
   return sides.side;
 }

@@ -6,7 +6,6 @@
 #include "tetracone/kernel/predicate/kept_sides.h"
 #include "tetracone/tetratree/query/placed_bvh8.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,6 +37,7 @@ class Separating_face {
 
  private:
   using Adaptive = kernel::Adaptive;
+  using Corners = kernel::Corners<Adaptive>;
   using Sign = kernel::Sign;
 
   /// The vertices whose signs cost about as much as a pair of triangles that exact signs decide.
@@ -50,8 +50,8 @@ class Separating_face {
 
   /// True when the plane of an element of `body` separates it from the other body. `sides` are those that are known of
   /// the body's elements, by their numbers.
-  static bool separates(Placed_bvh8<>& body, const Element& element, std::vector<Side>& sides, Placed_bvh8<>& other,
-                        kernel::Kept_sides& sides_of)
+  bool separates(Placed_bvh8<>& body, const Element& element, std::vector<Side>& sides, Placed_bvh8<>& other,
+                 kernel::Kept_sides& sides_of)
   {
     if (element.is_whole_face()) return false;
     if (sides.empty()) sides.resize(body.tree->element_count());
@@ -60,15 +60,29 @@ class Separating_face {
     if (side == Side::neither) return false;
     const Sign own = Sign(int(side) - int(Side::in_plane)) * body.placed.determinant_sign();
 
-    const kernel::Corners<Adaptive> triangle = body.corners(element);
-    const auto last = Index(vertex_count(other) - 1);
+    const Corners triangle = body.corners(element);
     Sign beyond = kernel::ZERO;
+    const auto is_beyond = [&](Sign sign) {
+      if (beyond == kernel::ZERO) beyond = sign;
+      return sign == beyond && sign != own && sign != kernel::ZERO;
+    };
+    // The filter first: it costs little, and mostly tells where the plane does not separate.
+    near_.clear();
+    const auto last = Index(vertex_count(other) - 1);
     for (Index v = 0; v <= last; v += 3) {
       const auto vertex = [&](Index k) { return &other.placed.point(kernel::minimum(v + k, last)); };
-      const auto signs = sides_of(triangle, {vertex(0), vertex(1), vertex(2)});
-      if (v == 0) beyond = signs[0];
-      if (beyond == kernel::ZERO || beyond == own) return false;
-      if (std::ranges::any_of(signs, [&](Sign sign) { return sign != beyond; })) return false;
+      const Corners points = {vertex(0), vertex(1), vertex(2)};
+      const kernel::Some_sides sides = kernel::filtered_sides(triangle, points);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!sides.is_decided[k])
+          near_.push_back(points[k]);
+        else if (!is_beyond(sides.side[k]))
+          return false;
+    }
+    for (std::size_t n = 0; n < near_.size(); n += 3) {
+      const auto vertex = [&](std::size_t k) { return near_[kernel::minimum(n + k, near_.size() - 1)]; };
+      for (const Sign sign : sides_of(triangle, {vertex(0), vertex(1), vertex(2)}))
+        if (!is_beyond(sign)) return false;
     }
     return true;
   }
@@ -86,8 +100,9 @@ class Separating_face {
     return Side(int(Side::in_plane) + side);
   }
 
-  std::vector<Side> side_of_a_, side_of_b_;  // of each element; empty before the first attempt
-  std::size_t pairs_ = 0, attempts_ = 0;     // of this query
+  std::vector<Side> side_of_a_, side_of_b_;     // of each element; empty before the first attempt
+  std::vector<const Adaptive::Point_3*> near_;  // of an attempt: the vertices whose sides the filter leaves undecided
+  std::size_t pairs_ = 0, attempts_ = 0;        // of this query
 };
 
 }  // namespace tetracone::tetratree
