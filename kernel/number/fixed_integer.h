@@ -36,6 +36,20 @@ struct Fixed_integer {
 
   bool is_negative() const { return std::int64_t(limb[limbs - 1]) < 0; }
 
+  /// Returns limb k as a digit of base 2^64. The last digit has the number's sign.
+  Int128 digit(int k) const { return k == limbs - 1 ? Int128(std::int64_t(limb[k])) : Int128(limb[k]); }
+
+  /// Return the number modulo 2^128, and the number that `x` is in two's complement.
+  Uint128 modulo() const requires(limbs >= 2) { return Uint128(limb[1]) << 64 | limb[0]; }
+  static Fixed_integer of(Uint128 x) requires(limbs >= 2)
+  {
+    Fixed_integer number;
+    number.limb.fill(Int128(x) < 0 ? ~std::uint64_t(0) : 0);
+    number.limb[0] = std::uint64_t(x);
+    number.limb[1] = std::uint64_t(x >> 64);
+    return number;
+  }
+
   /// Returns -1, 0 or 1.
   int sign() const
   {
@@ -46,6 +60,7 @@ struct Fixed_integer {
 
   [[gnu::always_inline]] friend Fixed_integer operator+(const Fixed_integer& a, const Fixed_integer& b)
   {
+    if constexpr (limbs == 2) return of(a.modulo() + b.modulo());
     Fixed_integer sum;
     Uint128 carry = 0;
     for (int k = 0; k < limbs; ++k) {
@@ -57,6 +72,7 @@ struct Fixed_integer {
   }
   [[gnu::always_inline]] friend Fixed_integer operator-(const Fixed_integer& a, const Fixed_integer& b)
   {
+    if constexpr (limbs == 2) return of(a.modulo() - b.modulo());
     Fixed_integer difference;
     Uint128 borrow = 0;
     for (int k = 0; k < limbs; ++k) {
@@ -71,6 +87,7 @@ struct Fixed_integer {
   /// Returns this times 2^shift. Requires 0 <= shift < 64 limbs.
   [[gnu::always_inline]] Fixed_integer operator<<(int shift) const
   {
+    if constexpr (limbs == 2) return of(modulo() << shift);
     const int whole = int(unsigned(shift) / 64), part = shift % 64;
     Fixed_integer shifted;
     for (int k = limbs - 1; k >= whole; --k) {
@@ -81,37 +98,30 @@ struct Fixed_integer {
   }
 };
 
-/// Returns the product, which always fits. Magnitudes are multiplied as if unsigned. A negative factor then stands for
-/// itself plus 2^(64 limbs), which is taken off again.
+/// Returns the product, which always fits. Row i adds a's digit i times b. Digits are below 2^64, the last of each
+/// number and of each row within +-2^63. So a part with one of these, a digit and a carry is within +-2^127: the
+/// largest is (2^64 - 1) (2^63 - 1) + (2^63 - 1) + (2^64 - 1) = 2^127 - 1, the least -(2^64 - 1) 2^63 - 2^63 = -2^127.
 template <int n, int m>
 [[gnu::always_inline]] inline Fixed_integer<n + m> operator*(const Fixed_integer<n>& a, const Fixed_integer<m>& b)
 {
   Fixed_integer<n + m> product;
-  if constexpr (n == 1 && m == 1) {
-    const Int128 both = Int128(std::int64_t(a.limb[0])) * std::int64_t(b.limb[0]);
-    product.limb = {std::uint64_t(both), std::uint64_t(both >> 64)};
-    return product;
-  }
   for (int i = 0; i < n; ++i) {
-    std::uint64_t carry = 0;
+    Int128 carry = 0;
     for (int j = 0; j < m; ++j) {
-      const Uint128 part = Uint128(a.limb[i]) * b.limb[j] + product.limb[i + j] + carry;
-      product.limb[i + j] = std::uint64_t(part);
-      carry = std::uint64_t(part >> 64);
+      std::uint64_t& digit = product.limb[i + j];
+      if (i < n - 1 && j < m - 1) {
+        const Uint128 part = Uint128(a.limb[i]) * b.limb[j] + digit + Uint128(carry);
+        digit = std::uint64_t(part);
+        carry = Int128(part >> 64);
+      } else {
+        const Int128 before = j == m - 1 ? Int128(std::int64_t(digit)) : Int128(digit);
+        const Int128 part = a.digit(i) * b.digit(j) + before + carry;
+        digit = std::uint64_t(part);
+        carry = part >> 64;
+      }
     }
-    product.limb[i + m] = carry;
+    product.limb[i + m] = std::uint64_t(carry);
   }
-  const auto take_off = [&product](const auto& factor, int at, bool other_is_negative) {
-    const std::uint64_t mask = other_is_negative ? ~std::uint64_t(0) : 0;
-    Uint128 borrow = 0;
-    for (int k = at; k < n + m; ++k) {
-      const Uint128 part = Uint128(product.limb[k]) - (factor.limb[k - at] & mask) - borrow;
-      product.limb[k] = std::uint64_t(part);
-      borrow = part >> 64 & 1;
-    }
-  };
-  take_off(b, n, a.is_negative());
-  take_off(a, m, b.is_negative());
   return product;
 }
 

@@ -8,9 +8,11 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <optional>
 
 namespace tetracone::kernel {
@@ -95,37 +97,33 @@ class Adaptive_fixed : public Adaptive_points {
   template <int limbs, std::size_t count>
   Plane(const std::array<std::array<Fixed_integer<limbs>, 3>, count>&) -> Plane<limbs>;
 
-  /// Images times the same positive factor: all the weights of the poses, each once, and a power of two. An image
-  /// already has its own weight.
+  /// Images times the same positive factor: the odd parts of all weights of the poses, each once, and a power of two.
+  /// An image already has its own weight.
   template <std::size_t count>
   class Aligned {
    public:
     explicit Aligned(const std::array<const Point_3*, count>& points)
     {
-      std::array<const Binary_number<1>*, count> own;
-      for (std::size_t n = 0; n < count; ++n) {
-        image_[n] = &kept_fixed_image(*points[n], made_[n]);
-        own[n] = weight_of(*points[n]);
-        if (own[n] != nullptr && !is_among_weights(*own[n])) weight_[weight_count_++] = own[n];
-      }
       std::array<int, count> exponent, bits;
       int lowest = Binary_number<1>::too_wide;
       for (std::size_t n = 0; n < count; ++n) {
-        exponent[n] = image_[n]->exponent;
+        image_[n] = &kept_fixed_image(*points[n], made_[n]);
+        const Binary_number<1>& own = weight_of(*points[n]);
+        own_[n] = own.integer.limb[0];
+        exponent[n] = image_[n]->exponent - own.exponent;
         bits[n] = image_[n]->bits;
-        if (bits[n] == 0) continue;  // the origin, of any exponent
-        for (std::size_t k = 0; k < weight_count_; ++k) {
-          has_weight_[n][k] = own[n] != nullptr && is_equal(*own[n], *weight_[k]);
-          if (has_weight_[n][k]) continue;
-          exponent[n] += weight_[k]->exponent;
-          bits[n] += weight_[k]->bits;
-        }
+        if (bits[n] == 0) continue;  // the origin, of any exponent and weight
+        if (own.bits == Binary_number<1>::too_wide) bits[n] = own.bits;
+        if (own_[n] != 1 && !is_among_weights(own_[n])) weight_[weight_count_++] = own_[n];
         lowest = minimum(lowest, exponent[n]);
       }
       for (std::size_t n = 0; n < count; ++n) {
         if (bits[n] == 0) continue;
         shift_[n] = exponent[n] - lowest;
-        bits_ = maximum(bits_, bits[n] + shift_[n]);
+        int all = bits[n] + shift_[n];
+        for (std::size_t w = 0; w < weight_count_; ++w)
+          if (lacks(n, w)) all += int(std::bit_width(weight_[w]));
+        bits_ = maximum(bits_, all);
       }
     }
 
@@ -157,34 +155,33 @@ class Adaptive_fixed : public Adaptive_points {
         for (int k = 0; k < 3; ++k) {
           p[n][k] = Fixed_integer<limbs>(image_[n]->coordinate[k]);
           for (std::size_t w = 0; w < weight_count_; ++w)
-            if (!has_weight_[n][w]) p[n][k] = Fixed_integer<limbs>(p[n][k] * weight_[w]->integer);
+            if (lacks(n, w)) p[n][k] = Fixed_integer<limbs>(p[n][k] * Fixed_integer<1>(std::int64_t(weight_[w])));
           if (shift_[n] != 0) p[n][k] = p[n][k] << shift_[n];
         }
       return p;
     }
 
-    bool is_among_weights(const Binary_number<1>& weight) const
+    bool is_among_weights(std::uint64_t weight) const
     {
-      return std::any_of(weight_.begin(), weight_.begin() + weight_count_,
-                         [&](const auto* other) { return is_equal(*other, weight); });
+      for (std::size_t w = 0; w < weight_count_; ++w)
+        if (weight_[w] == weight) return true;
+      return false;
     }
+    bool lacks(std::size_t n, std::size_t w) const { return own_[n] != weight_[w]; }
 
     std::array<const Fixed_image*, count> image_;
     std::array<std::optional<Fixed_image>, count> made_;  // of points without a slot
-    std::array<const Binary_number<1>*, count> weight_{};
-    std::array<std::array<bool, count>, count> has_weight_{};
+    std::array<std::uint64_t, count> own_;                // the odd part of the weight that an image has
+    std::array<std::uint64_t, count> weight_;             // the first `weight_count_`: the different ones but 1
     std::size_t weight_count_ = 0;
     std::array<int, count> shift_{};
     int bits_ = 0;
   };
 
-  static const Binary_number<1>* weight_of(const Point_3& point)
+  static const Binary_number<1>& weight_of(const Point_3& point)
   {
-    return point.pose != nullptr && point.pose->is_rational() ? &point.pose->binary_weight() : nullptr;
-  }
-  static bool is_equal(const Binary_number<1>& a, const Binary_number<1>& b)
-  {
-    return a.integer.limb[0] == b.integer.limb[0] && a.exponent == b.exponent;
+    static const Binary_number<1> one{Fixed_integer<1>(1), 0, 1};
+    return point.pose != nullptr && point.pose->is_rational() ? point.pose->binary_weight() : one;
   }
 
   /// Returns the image of a point, which its slot keeps; `made` holds it where the point has none.
@@ -218,9 +215,12 @@ class Adaptive_fixed : public Adaptive_points {
     static thread_local std::array<Made, 2> made;
     static thread_local std::size_t last = 0;
     if (pose.is_rational()) return pose.fixed_map();
-    if (made[last].entries != pose.entries()) {
+    const auto is_of_pose = [&pose](const Made& map) {
+      return std::memcmp(&map.entries, &pose.entries(), sizeof map.entries) == 0;
+    };
+    if (!is_of_pose(made[last])) {
       last = 1 - last;
-      if (made[last].entries != pose.entries()) made[last] = {pose.entries(), Fixed_map(pose.entries())};
+      if (!is_of_pose(made[last])) made[last] = {pose.entries(), Fixed_map(pose.entries())};
     }
     return made[last].map;
   }
@@ -239,6 +239,18 @@ class Adaptive_fixed : public Adaptive_points {
     if (image.bits > most_bits) return image;
     // Three products of one limb each fit in two.
     const bool is_narrow = m.bits <= 62 && v.bits <= 62;
+    if (image.bits < 128) {  // modulo 2^128, where intermediate results may not fit
+      for (int k = 0; k < 3; ++k) {
+        const auto term = [&](int j) {
+          const auto &entry = m.integer[3 * k + j], &x = v.integer[j];
+          return is_narrow ? Uint128(Int128(std::int64_t(entry.limb[0])) * std::int64_t(x.limb[0]))
+                           : entry.modulo() * x.modulo();
+        };
+        const Uint128 products = term(0) + term(1) + term(2);
+        image.coordinate[k] = Number::of((products << shift) + (t.integer[k].modulo() << shift_t));
+      }
+      return image;
+    }
     for (int k = 0; k < 3; ++k) {
       const auto term = [&](int j) { return Number(m.integer[3 * k + j] * v.integer[j]); };
       const auto narrow_term = [&](int j) {

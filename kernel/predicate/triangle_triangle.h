@@ -28,11 +28,15 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
   return side;
 }
 
-/// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points. The
-/// other stages decide a point that it leaves undecided, and all three where it leaves two or more. These are counted
-/// (`Stage_counts`).
-template <>
-inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
+/// Signs of which some are undecided.
+struct Some_sides {
+  std::array<Sign, 3> side;
+  std::array<bool, 3> is_decided;
+  int decided() const { return is_decided[0] + is_decided[1] + is_decided[2]; }
+};
+
+/// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points.
+inline Some_sides filtered_sides(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {
   const auto &a = triangle[0]->image, &b = triangle[1]->image, &c = triangle[2]->image;
   const Vertex p = difference(b, a), q = difference(c, a), normal = cross(p, q);
@@ -50,14 +54,35 @@ inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, co
   const double error = triangle[0]->error + maximum(triangle[1]->error, triangle[2]->error, points[0]->error,
                                                     points[1]->error, points[2]->error);
   const double bound = adaptive_bound::volume_bound(mx, my, mz, error);
-  const auto is_decided = [&](int k) { return determinant[k] > bound || determinant[k] < -bound; };
-  if (is_decided(0) + is_decided(1) + is_decided(2) < 2)
-    return Adaptive::unfiltered_sides(*triangle[0], *triangle[1], *triangle[2], points);
-  std::array<Sign, 3> side;
-  for (int k = 0; k < 3; ++k)
-    side[k] = is_decided(k) ? (determinant[k] > 0 ? POSITIVE : NEGATIVE)
-                            : Adaptive::unfiltered_volume_sign(*triangle[0], *triangle[1], *triangle[2], *points[k]);
-  return side;
+  Some_sides sides;
+  for (int k = 0; k < 3; ++k) {
+    sides.is_decided[k] = determinant[k] > bound || determinant[k] < -bound;
+    sides.side[k] = determinant[k] > 0 ? POSITIVE : NEGATIVE;
+  }
+  return sides;
+}
+
+namespace detail {
+
+/// Decides what is undecided by the other stages: a single point, and all three where two or more are undecided. These
+/// are counted (`Stage_counts`).
+inline void decide_others(Some_sides& sides, const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
+{
+  const int decided = sides.decided();
+  if (decided < 2) sides.side = Adaptive::unfiltered_sides(*triangle[0], *triangle[1], *triangle[2], points);
+  for (int k = 0; decided == 2 && k < 3; ++k)
+    if (!sides.is_decided[k])
+      sides.side[k] = Adaptive::unfiltered_volume_sign(*triangle[0], *triangle[1], *triangle[2], *points[k]);
+}
+
+}  // namespace detail
+
+template <>
+inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
+{
+  Some_sides sides = filtered_sides(triangle, points);
+  if (sides.decided() < 3) detail::decide_others(sides, triangle, points);
+  return sides.side;
 }
 
 namespace detail {
@@ -117,12 +142,14 @@ std::optional<bool> coplanar_triangles_meet(const Corners<K>& p, const Corners<K
 /// the positive side of the other plane. Then edges p0 p1 and q0 q1 bound the intervals at one end each, p0 p2 and q0
 /// q2 at the other. Triangles in one plane are parted by an edge, if at all; those without a plane are decided edge by
 /// edge.
-template <class K>
-bool triangles_meet(Corners<K> p, Corners<K> q)
+///
+/// `sides_of(triangle, points)` returns `sides<K>`.
+template <class K, class Sides_of>
+bool triangles_meet(Corners<K> p, Corners<K> q, const Sides_of& sides_of)
 {
-  const auto side_q = sides<K>(p, q);
+  const auto side_q = sides_of(p, q);
   if (detail::all_strictly_beside(side_q)) return false;
-  const auto side_p = sides<K>(q, p);
+  const auto side_p = sides_of(q, p);
   if (detail::all_strictly_beside(side_p)) return false;
   const Corners<K> whole_p = p, whole_q = q;
   const Sign alone_p = detail::turn_alone_first<K>(p, side_p), alone_q = detail::turn_alone_first<K>(q, side_q);
@@ -142,6 +169,12 @@ bool triangles_meet(Corners<K> p, Corners<K> q)
   if (alone_q == NEGATIVE) std::swap(p[1], p[2]);
   return volume_sign<K>(*p[0], *p[1], *q[0], *q[1]) != POSITIVE &&
          volume_sign<K>(*p[0], *p[2], *q[0], *q[2]) != NEGATIVE;
+}
+
+template <class K>
+bool triangles_meet(const Corners<K>& p, const Corners<K>& q)
+{
+  return triangles_meet<K>(p, q, sides<K>);
 }
 
 }  // namespace tetracone::kernel

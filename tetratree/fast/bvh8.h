@@ -94,6 +94,8 @@ class Bvh8 {
   bool is_leaf(Box_id box) const { return node_of(box).is_leaf(box.lane()); }
   /// Returns element k of a leaf. A leaf holds one element, unless the options say more.
   const Element& element(Box_id box, Index k = 0) const { return elements_[node_of(box).first[box.lane()] + k]; }
+  /// Returns the place of an element of a leaf in the order of leaves, which does not change.
+  std::size_t number_of(const Element& element) const { return std::size_t(&element - &elements_[0]); }
   Index leaf_count(Box_id box) const
   {
     if (leaf_ends_.empty()) [[likely]]

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_TETRATREE_QUERY_BVH8_COLLISION_H
 #define TETRACONE_TETRATREE_QUERY_BVH8_COLLISION_H
 
+#include "tetracone/kernel/predicate/kept_sides.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/triangle_triangle.h"
@@ -11,6 +12,7 @@
 #include "tetracone/tetratree/memory/pair_memory.h"
 #include "tetracone/tetratree/query/bvh8_containment.h"
 #include "tetracone/tetratree/query/placed_bvh8.h"
+#include "tetracone/tetratree/query/separating_face.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <array>
@@ -140,7 +142,11 @@ class Bvh8_collision {
   void clear_counts() { counts_ = {}; }
 
   /// Returns the bytes of the support tables and the memory; the trees count their own.
-  std::size_t bytes() const { return separating_direction_.bytes() + (own_memory_ ? own_memory_->bytes() : 0); }
+  std::size_t bytes() const
+  {
+    return separating_direction_.bytes() + separating_face_.bytes() + kept_sides_.bytes() +
+           (own_memory_ ? own_memory_->bytes() : 0);
+  }
 
   /// True when fronts are kept. Where leaves are decided by rounding, a certificate could change an answer.
   static constexpr bool keeps_fronts = kernel::Kernel_traits<K>::exact_signs && kernel::Kernel_traits<K>::exact_motion;
@@ -207,7 +213,7 @@ class Bvh8_collision {
         return by_front(*memory);
     }
     const std::uint64_t opened = counts_.pairs_visited;
-    const bool meet = descend_trees(memory);
+    const std::optional<bool> meet = descend_trees(memory);
     if (memory && !memory->front) memory->opened = std::uint32_t(counts_.pairs_visited - opened);
     return meet;
   }
@@ -260,6 +266,7 @@ class Bvh8_collision {
     if (is_placed_) return;
     a_.placed.place(*pose_a_);
     b_.placed.place(*pose_b_);
+    kept_sides_.clear();
     is_placed_ = true;
   }
 
@@ -313,24 +320,32 @@ class Bvh8_collision {
     count(trees);
   }
 
-  /// True when some pair of leaves that the descent does not discard meets, which becomes the witness.
-  bool descend_trees(Pair_memory* memory)
+  /// True when some pair of leaves that the descent does not discard meets, which becomes the witness; nothing where the
+  /// plane of a triangle separates the bodies.
+  std::optional<bool> descend_trees(Pair_memory* memory)
   {
     Both_trees trees = both_trees();
     start(trees);
-    bool meet = false;
-    for (Stop stop; !meet && (stop = descend(stack_, trees)) != Stop::nothing_left;) {
+    separating_face_.restart();
+    bool meet = false, are_apart = false;
+    for (Stop stop; !meet && !are_apart && (stop = descend(stack_, trees)) != Stop::nothing_left;) {
       if (stop == Stop::leaves) {
         const Box_ids boxes = stack_.boxes();
         stack_.pop();
-        meet = leaves_meet(boxes);
+        any_pair(boxes, [&](const Element& a, const Element& b) {
+          const std::uint64_t undecided = kept_sides_.undecided();
+          meet = elements_meet(a, b);
+          if constexpr (std::is_same_v<K, kernel::Adaptive>)
+            are_apart = !meet && kept_sides_.undecided() != undecided && separating_face_(a_, a, b_, b, kept_sides_);
+          return meet || are_apart;
+        });
         if (meet && memory) memory->witness = boxes;
       } else {
         make_child();
       }
     }
     count(trees);
-    return meet;
+    return are_apart ? std::nullopt : std::optional(meet);
   }
 
   /// Puts the pair of roots on the stack.
@@ -376,7 +391,12 @@ class Bvh8_collision {
       return edges_meet(a_, a, b_, b) || edges_meet(b_, b, a_, a);
     }
     count_triangles();
-    return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b));
+    if constexpr (std::is_same_v<K, kernel::Adaptive>) {
+      const auto sides_of = [this](const auto& triangle, const auto& points) { return kept_sides_(triangle, points); };
+      return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b), sides_of);
+    } else {
+      return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b));
+    }
   }
 
   /// True when edges of one element meet the other; at least one of the two is a whole face.
@@ -401,6 +421,8 @@ class Bvh8_collision {
 
   Placed a_, b_;
   Separating_direction separating_direction_;
+  kernel::Kept_sides kept_sides_;
+  Separating_face separating_face_;
   Bvh8_containment<K> containment_;
   Pair_stack stack_, next_level_;
   std::vector<Box_ids> leaves_;

@@ -367,6 +367,36 @@ BOOST_AUTO_TEST_CASE(fixed_signs_of_poses_of_several_weights_are_those_of_ration
   BOOST_TEST(zeros > 10000);
 }
 
+BOOST_AUTO_TEST_CASE(weights_of_more_than_a_limb_are_not_taken_for_equal)
+{
+  // Translations by fractions of long denominators: the images have few bits, the weights do not fit.
+  int wrong = 0, decided = 0, undecided = 0;
+  Random random(6);
+  for (int n = 0; n < 4000; ++n) {
+    const auto fraction = [&] {
+      mpz_class denominator = mpz_class(1) << mp_bitcnt_t(scenes::integer(random, 40, 90));
+      denominator = denominator + 2 * scenes::integer(random, 0, 1000) + 1;
+      if (n % 3 == 0) denominator = denominator << mp_bitcnt_t(scenes::integer(random, 0, 20));
+      return Rational(mpz_class(scenes::integer(random, -1, 1)), denominator);
+    };
+    const auto pose = [&] { return Pose(std::array<Rational, 12>{1, 0, 0, fraction(), 0, 1, 0, 0, 0, 0, 1, 0}); };
+    const Pose a = pose(), b = pose();
+    Sample s;
+    for (std::size_t k = 0; k < 4; ++k)
+      s.set(k, {0, double(scenes::integer(random, -2, 2)), double(scenes::integer(random, -2, 2))}, k < 3 ? &a : &b);
+    const auto& [p, q, r, t] = s.points;
+    const Decision volume = Adaptive::fixed_volume_sign(p, q, r, t),
+                   difference = Adaptive::fixed_difference_sign(p, t, 0);
+    wrong +=
+        (volume && *volume != s.volume()) + (difference && *difference != CGAL::sign(Rational(-s.from_first(3)[0])));
+    wrong += Adaptive::volume_sign(p, q, r, t) != s.volume();
+    (volume ? decided : undecided)++;
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(decided > 500);
+  BOOST_TEST(undecided > 500);
+}
+
 BOOST_AUTO_TEST_CASE(fixed_signs_are_right_up_to_their_most_bits_and_undecided_beyond)
 {
   // Entries and vertices of up to 125 bits: every carry counts.
