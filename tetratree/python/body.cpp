@@ -278,7 +278,7 @@ py::object crossings(const Python_body& self, const py::object& origins, const p
   return py::module_::import("numpy").attr("array")(words, "U8");
 }
 
-py::object normals(const Python_body& self, const py::object& of_faces)
+py::object face_normals(const Python_body& self, const py::object& of_faces)
 {
   const Face_numbers faces(of_faces);
   py::array_t<double> rows({static_cast<py::ssize_t>(faces.count()), py::ssize_t(3)});
@@ -408,7 +408,7 @@ faces: an array (n,) of faces' numbers, or one for all. Raises Error for a numbe
 >>> body.crossings([0.25, 0.25, -1], [0, 0, 1], faces).tolist()
 ['entering', 'leaving']
 )")
-      .def("normals", &normals, py::arg("faces"), R"(normals(faces)
+      .def("normals", &face_normals, py::arg("faces"), R"(normals(faces)
 
 The unit normals of faces, to the side that sees their loops counterclockwise: outward where faces are oriented outward.
 Each component is the double nearest to the exact one. All are 0 for a face without area, and nan for face -1.

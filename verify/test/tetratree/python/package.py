@@ -145,7 +145,7 @@ class Answers(Case):
         query = Query(cube, cube)
         poses = translations([1.25, 0, 0], [3, 0, 0], [0.5, 0.5, 0.5])
         # The face x = 1 is near the moved cube; so are those that share its edges.
-        self.assertEqual([z.tolist() for z in query.zone("1/4", poses)], [[1, 2, 3, 4, 5], [], [0, 1, 2, 3, 4, 5]])
+        self.assertEqual([z.tolist() for z in query.zone("1/4", poses)], [[1, 2, 3, 4, 5], [], [1, 3, 5]])
         self.assertEqual(query.zone(0.2499, poses[0]).tolist(), [])
         self.assertEqual(query.zone(Fraction(1, 4), None, poses_a=poses[0]).tolist(), [0, 2, 3, 4, 5])
         self.assertEqual(query.zone(-1, poses[2]).dtype, np.uint32)
