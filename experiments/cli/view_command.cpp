@@ -8,6 +8,7 @@
 #include "experiments/viewer/view_scene.h"
 #include "experiments/viewer/viewer_files.h"
 #include "tetracone/covering/io/read_rays.h"
+#include "tetracone/kernel/number/number.h"
 #include "verify/cases/scene_file.h"
 
 #include <array>
@@ -92,6 +93,18 @@ View_scene scene_of(const View_options& options, std::optional<kernel::Question>
   return read_view_motion(motion, question.value_or(kernel::Question::solid));
 }
 
+/// Throws CLI::ValidationError for texts that are no direction.
+void require_direction(const std::array<std::string, 3>& along)
+{
+  bool is_zero = true;
+  for (const std::string& text : along) {
+    const auto number = kernel::parse_number(text);
+    if (!number) throw CLI::ValidationError("--along", "'" + text + "'; expected decimals or fractions");
+    is_zero = is_zero && sgn(*number) == 0;
+  }
+  if (is_zero) throw CLI::ValidationError("--along", "a direction of 0; expected one of some length");
+}
+
 void run_view(const View_options& options)
 {
   std::optional<kernel::Question> question;
@@ -111,7 +124,8 @@ void run_view(const View_options& options)
       const bool is_predicate = scene.from && scene.from->level == verify::Case_kind::predicate;
       if (scene.bodies.size() != 2 || is_predicate || scene.question != kernel::Question::solid)
         throw CLI::ValidationError(options.depth ? "--depth" : "--along", "expected with two solids");
-      scene.way_out.emplace(options.along);
+      if (!options.depth) require_direction(options.along);
+      scene.way_out = View_way_out{options.along};
     }
     write_page(options.out, viewer::pair_html, view_data(scene, options.kernel, *method),
                {viewer::bodies_js, viewer::bounds_js, viewer::camera_js, viewer::pair_js});

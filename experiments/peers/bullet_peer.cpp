@@ -14,7 +14,7 @@
 namespace tetracone::experiments {
 namespace {
 
-btTransform transform(const kernel::Pose& pose)
+btTransform bullet_transform(const kernel::Pose& pose)
 {
   const auto entry = [&pose](int row, int column) { return static_cast<btScalar>(pose[4 * row + column]); };
   const btMatrix3x3 m(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
@@ -44,7 +44,7 @@ class Bullet_body {
 
   const btCollisionObject& placed(const kernel::Pose& pose)
   {
-    object_.setWorldTransform(transform(pose));
+    object_.setWorldTransform(bullet_transform(pose));
     return object_;
   }
 
@@ -121,8 +121,8 @@ class Bullet_depth : public Depth_peer {
   std::optional<double> depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
     btGjkPairDetector::ClosestPointInput input;
-    input.m_transformA = transform(pose_a);
-    input.m_transformB = transform(pose_b);
+    input.m_transformA = bullet_transform(pose_a);
+    input.m_transformB = bullet_transform(pose_b);
     btPointCollector nearest;
     btGjkPairDetector(&a_, &b_, &simplex_, &epa_).getClosestPoints(input, nearest, nullptr);
     return nearest.m_hasResult && nearest.m_distance <= 0 ? std::optional(-double(nearest.m_distance)) : std::nullopt;

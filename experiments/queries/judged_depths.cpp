@@ -1,6 +1,7 @@
 #include "experiments/queries/judged_depths.h"
 
 #include "experiments/peers/depth_peer.h"
+#include "experiments/support/csv_row.h"
 #include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/object_placing.h"
@@ -75,7 +76,7 @@ covering::Polyhedron round_hull(verify::Random& random)
 
 covering::Polyhedron random_box(verify::Random& random)
 {
-  const auto size = [&random] { return verify::integer(random, 1, 8) / 8.0; };
+  const auto size = [&random] { return verify::object_family::integer(random, 1, 8) / 8.0; };
   const double x = size(), y = size(), z = size();
   return verify::box({-x, -y, -z}, {x, y, z});
 }
@@ -89,7 +90,7 @@ const std::vector<Shape>& shapes()
        }},
       {"boxes, aligned",
        [](verify::Random& random) {
-         const auto shift = [&random] { return verify::integer(random, -8, 8) / 16.0; };
+         const auto shift = [&random] { return verify::object_family::integer(random, -8, 8) / 16.0; };
          return Convex_pair{random_box(random), random_box(random), kernel::Pose(),
                             kernel::Pose::translation(shift(), shift(), shift())};
        }},
@@ -128,7 +129,7 @@ struct Judged {
 
 }  // namespace
 
-Csv_table judged_depths(int pairs, std::uint64_t seed)
+std::string judged_depths(int pairs, std::uint64_t seed)
 {
   Csv_table table;
   verify::Random random(seed);
@@ -180,7 +181,7 @@ Csv_table judged_depths(int pairs, std::uint64_t seed)
                     .add_origin(seed));
     }
   }
-  return table;
+  return table.text();
 }
 
 }  // namespace tetracone::experiments

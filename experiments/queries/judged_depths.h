@@ -1,9 +1,8 @@
 #ifndef TETRACONE_EXPERIMENTS_QUERIES_JUDGED_DEPTHS_H
 #define TETRACONE_EXPERIMENTS_QUERIES_JUDGED_DEPTHS_H
 
-#include "experiments/support/csv_row.h"
-
 #include <cstdint>
+#include <string>
 
 namespace tetracone::experiments {
 
@@ -18,7 +17,7 @@ namespace tetracone::experiments {
 ///
 /// `mean_off` and `most_off` are of those above 0, as a part of the depth. `ns` is the peer's mean time, and `exact_ns`
 /// ours. Each shape has `pairs` pairs: boxes turned, boxes in one frame, and hulls of 100 points of a sphere.
-Csv_table judged_depths(int pairs, std::uint64_t seed);
+std::string judged_depths(int pairs, std::uint64_t seed);
 
 }  // namespace tetracone::experiments
 

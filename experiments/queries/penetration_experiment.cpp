@@ -149,7 +149,7 @@ void run_penetration(const Experiment_options& options)
   }
   write_whole(options.out / "penetration.csv", table.text());
   write_whole(options.out / "penetration_widths.csv", widths.text());
-  write_whole(options.out / "penetration_peers.csv", judged_depths(options.full ? 1000 : 100, options.seed).text());
+  write_whole(options.out / "penetration_peers.csv", judged_depths(options.full ? 1000 : 100, options.seed));
 }
 
 }  // namespace tetracone::experiments

@@ -1,6 +1,7 @@
 #include "experiments/queries/touching.h"
 
 #include "experiments/peers/peer.h"
+#include "experiments/support/csv_row.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
@@ -33,7 +34,8 @@ struct Kind {
 
 Numbers sizes(verify::Random& random, int least)
 {
-  return {verify::integer(random, least, 8), verify::integer(random, least, 8), verify::integer(random, least, 8)};
+  return {verify::object_family::integer(random, least, 8), verify::object_family::integer(random, least, 8),
+          verify::object_family::integer(random, least, 8)};
 }
 
 /// Boxes side by side along the first `count` axes. Along the others they overlap.
@@ -41,7 +43,8 @@ Boxes side_by_side(verify::Random& random, std::size_t count)
 {
   Boxes boxes{sizes(random, 1), sizes(random, 1), {}};
   for (std::size_t k = 0; k < 3; ++k)
-    boxes.offset[k] = k < count ? boxes.size_a[k] : verify::integer(random, 1 - boxes.size_b[k], boxes.size_a[k] - 1);
+    boxes.offset[k] =
+        k < count ? boxes.size_a[k] : verify::object_family::integer(random, 1 - boxes.size_b[k], boxes.size_a[k] - 1);
   return boxes;
 }
 
@@ -54,7 +57,7 @@ const std::vector<Kind>& kinds()
       {"aligned overlap", Solid_relation::overlap,
        [](verify::Random& random) {
          const Numbers size = sizes(random, 2);
-         return Boxes{size, size, {verify::integer(random, 1, size[0] - 1), 0, 0}};
+         return Boxes{size, size, {verify::object_family::integer(random, 1, size[0] - 1), 0, 0}};
        }},
       {"half overlap", Solid_relation::overlap,
        [](verify::Random& random) {
@@ -85,7 +88,7 @@ std::pair<kernel::Pose, kernel::Pose> poses(const Numbers& offset, bool is_turne
   }
   std::array<double, 12> a{}, b{};
   for (std::size_t i = 0; i < 3; ++i) {
-    a[4 * i + 3] = b[4 * i + 3] = std::ldexp(verify::integer(random, -1'000'000, 1'000'000), -20);
+    a[4 * i + 3] = b[4 * i + 3] = std::ldexp(verify::object_family::integer(random, -1'000'000, 1'000'000), -20);
     for (std::size_t k = 0; k < 3; ++k) {
       a[4 * i + k] = b[4 * i + k] = std::ldexp(std::round(std::ldexp(turn[i][k], 40)), -40);
       b[4 * i + 3] += a[4 * i + k] * offset[k] / 4;  // exact: multiples of 2^-42 below 2^5
@@ -101,7 +104,7 @@ covering::Polyhedron box_of(const Numbers& size)
 
 }  // namespace
 
-Csv_table touching_table(int cases, std::uint64_t seed)
+std::string touching_csv(int cases, std::uint64_t seed)
 {
   Csv_table table;
   verify::Random random(seed);
@@ -136,7 +139,7 @@ Csv_table touching_table(int cases, std::uint64_t seed)
                       .add("collide", counts.second)
                       .add_origin(seed));
     }
-  return table;
+  return table.text();
 }
 
 }  // namespace tetracone::experiments

@@ -1,9 +1,8 @@
 #ifndef TETRACONE_EXPERIMENTS_QUERIES_TOUCHING_H
 #define TETRACONE_EXPERIMENTS_QUERIES_TOUCHING_H
 
-#include "experiments/support/csv_row.h"
-
 #include <cstdint>
+#include <string>
 
 namespace tetracone::experiments {
 
@@ -13,7 +12,7 @@ namespace tetracone::experiments {
 ///
 /// Coordinates are quarters, and the entries of a turned frame are multiples of 2^-40. So the poses of both boxes are
 /// doubles that place them exactly, within 1e-11 of a rotation.
-Csv_table touching_table(int cases, std::uint64_t seed);
+std::string touching_csv(int cases, std::uint64_t seed);
 
 }  // namespace tetracone::experiments
 

@@ -37,9 +37,9 @@ def touching(page):
     touch, n = collide_in(apart)
     yield page.section(
         "touching", "Touch or overlap",
-        "<p>Boxes that touch or overlap, as the exact relation says: the bodies are equal in every row of a kind but for their sizes and their frame, which the doubles of the poses "
-        "give exactly. <b>Axes</b>: boxes along the axes; <b>turned</b>: in one frame, turned by a rotation to 1e-11. Each library says only that they collide, or not: the counts are of pairs that it says "
-        "collide. Where touching counts, all do; where it does not, those that are shaded do not. Libraries of surfaces miss one box inside another. "
+        "<p>Boxes touch or overlap, and the exact relation of each pair is known. Their sizes and places are random; the doubles of the poses place them exactly. <b>Axes</b>: boxes along the axes; "
+        "<b>turned</b>: both in one frame, turned by a rotation to 1e-11. A library says only whether they collide; the counts are of pairs that it says collide. Where touching counts, all pairs collide. "
+        "Where it does not, those of shaded rows do not. Libraries of surfaces miss one box inside another. "
         f"All together say of {touch:,} of {n:,} touching pairs that they collide. {verdict}</p>",
         page.html_table(["pair", "frame", "exact relation, ours", *map(html.escape, peers)], body, source.about(cases=f"{len(rows)} rows"), data))
 
@@ -113,8 +113,8 @@ def depths(page):
     slowest = max(float(r["mean_ns"]) for r in widths)
     yield page.section(
         "depths", "How deep",
-        "<p>The least translation that parts two bodies. On the left convex pairs, of which the exact depth is known in closed form: what libraries say, and how far off they are, as a part of the depth. "
-        "libccd's MPR promises no least depth. On the right bodies that are not convex: a bracket of the depth, which is never wrong, gets narrower the more boxes of translations are looked at. "
+        "<p>The depth is the length of the least translation that parts two bodies. On the left are convex pairs, whose exact depth is known in closed form, and how far off other libraries are. "
+        "libccd's MPR promises no least depth. On the right are bodies that are not convex. A bracket of the depth is never wrong; it gets narrower with each box of translations that is looked at. "
         f"<b>Shallow</b>: a hundredth of the size is left to go; <b>deep</b>: a third. The longest mean here is {duration(slowest)}.</p>",
         page.figure("depths", fig, source, data_of_widths),
         page.html_table(["shape", "library", "pairs", "said apart", "infinite or threw", "0 or negative", "off by &gt; 1e-6", "off by &gt; 1 %", "mean off", "most off",

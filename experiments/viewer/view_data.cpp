@@ -222,7 +222,8 @@ Json out_data(Query& query, const Pose& pose_a, const Pose& pose_b, const View_w
   const Exits exits = query.exits(pose_a, pose_b, way.along);
   std::array<double, 3> vector{};
   for (std::size_t k = 0; k < 3; ++k)
-    vector[k] = kernel::nearest_double(*kernel::parse_number(way.along[k]) * kernel::Rational(exits.exact_last));
+    vector[k] = kernel::nearest_double(
+        kernel::Rational(*kernel::parse_number(way.along[k]) * kernel::Rational(exits.exact_last)));
   return {{"vector", vector}, {"first", exits.first}, {"last", exits.last}};
 }
 

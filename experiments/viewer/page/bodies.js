@@ -247,6 +247,8 @@ function overlapObject(k)
 }
 
 // The vector that moves A out of B, from the middle of the overlap.
+// A material is for instanced meshes or for others, not for both.
+const tipMaterial = withColour(new THREE.MeshBasicMaterial({depthTest: false, transparent: true}), '--ink');
 function wayObject(k, radius)
 {
   const group = new THREE.Group(), vector = outOf(k), corners = partsOf(k).flatMap(triples);
@@ -254,8 +256,8 @@ function wayObject(k, radius)
   const from = corners.length ? boxOf(corners).centre : image(poseOf(bodies[0], k), bodies[0].box.centre);
   const ends = [from, plus(from, vector)].map(inScene), along = new THREE.Vector3(...plus(ends[1], ends[0], -1));
   group.add(rods([ends], radius, nearestMaterial));
-  const length = Math.min(6 * radius, along.length() / 2);
-  const tip = new THREE.Mesh(new THREE.ConeBufferGeometry(length / 2, length, 12), nearestMaterial);
+  const length = Math.min(14 * radius, along.length() / 2);
+  const tip = new THREE.Mesh(new THREE.ConeBufferGeometry(length / 3, length, 12), tipMaterial);
   tip.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
   tip.position.set(...ends[1]).addScaledVector(along.normalize(), -length / 2);
   tip.renderOrder = 5;
@@ -323,7 +325,7 @@ function contactBox(k)
 // What the paper's query leaves for the leaf tests: the faces in the leaves of pairs that are not discarded.
 const leftMaterial = withColour(new THREE.MeshBasicMaterial({side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthWrite: false,
                                                             polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1}), '--left');
-const kept = new Set([leftMaterial, contactMaterial, selfMaterial, overlapMaterial, nearestMaterial, rayMaterial, hitMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
+const kept = new Set([leftMaterial, contactMaterial, selfMaterial, overlapMaterial, tipMaterial, nearestMaterial, rayMaterial, hitMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
 function leftObject(k)
 {
   const group = new THREE.Group();

@@ -57,9 +57,10 @@ function writeFragment()
 // Drawing, when something changed and not before.
 
 const made = {};  // name of layer -> {key, objects}: what stands, and for which state it was made
+const whereTheyStand = ['features', 'contacts', 'left'];  // not where A is moved out to
 function layer(name, key, make)
 {
-  const shown = state.show.has(name);
+  const shown = state.show.has(name) && !(state.out > 0 && whereTheyStand.includes(name));
   if (shown && (!made[name] || made[name].key !== key)) {
     if (made[name]) made[name].objects.forEach(discard);
     made[name] = {key, objects: make()};
