@@ -8,8 +8,10 @@
 #include "experiments/viewer/view_scene.h"
 #include "experiments/viewer/viewer_files.h"
 #include "tetracone/covering/io/read_rays.h"
+#include "tetracone/kernel/number/number.h"
 #include "verify/cases/scene_file.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -24,6 +26,8 @@ struct View_options {
   Scene_names names;
   Motion_names motion;  // the poses alone
   std::string question, kernel = "double", method = "tree", rays, out;
+  std::array<std::string, 3> along;
+  bool depth = false;
 };
 
 /// The text with every character that could end a script, or a piece of HTML, as an escape of JSON.
@@ -89,6 +93,18 @@ View_scene scene_of(const View_options& options, std::optional<kernel::Question>
   return read_view_motion(motion, question.value_or(kernel::Question::solid));
 }
 
+/// Throws CLI::ValidationError for texts that are no direction.
+void require_direction(const std::array<std::string, 3>& along)
+{
+  bool is_zero = true;
+  for (const std::string& text : along) {
+    const auto number = kernel::parse_number(text);
+    if (!number) throw CLI::ValidationError("--along", "'" + text + "'; expected decimals or fractions");
+    is_zero = is_zero && sgn(*number) == 0;
+  }
+  if (is_zero) throw CLI::ValidationError("--along", "a direction of 0; expected one of some length");
+}
+
 void run_view(const View_options& options)
 {
   std::optional<kernel::Question> question;
@@ -101,13 +117,22 @@ void run_view(const View_options& options)
         "view was built without three.js; expected Debian's libjs-three where this program was configured");
 
   options.names.refuse_as_output(options.out);
+  const bool moves_out = options.depth || !options.along[0].empty();
   if (!verify::is_scene_name(options.names.a)) {
-    write_page(options.out, viewer::pair_html, view_data(scene_of(options, question), options.kernel, *method),
+    View_scene scene = scene_of(options, question);
+    if (moves_out) {
+      const bool is_predicate = scene.from && scene.from->level == verify::Case_kind::predicate;
+      if (scene.bodies.size() != 2 || is_predicate || scene.question != kernel::Question::solid)
+        throw CLI::ValidationError(options.depth ? "--depth" : "--along", "expected with two solids");
+      if (!options.depth) require_direction(options.along);
+      scene.way_out = View_way_out{options.along};
+    }
+    write_page(options.out, viewer::pair_html, view_data(scene, options.kernel, *method),
                {viewer::bodies_js, viewer::bounds_js, viewer::camera_js, viewer::pair_js});
     return;
   }
   if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty() ||
-      !options.rays.empty())
+      !options.rays.empty() || moves_out)
     throw CLI::ValidationError(options.names.a, "expected alone: a scene file names its models and poses");
   write_page(options.out, viewer::scene_html,
              scene_data(options.names.a, question.value_or(kernel::Question::solid), options.names.models),
@@ -135,12 +160,17 @@ void add_view_command(CLI::App& app)
               "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs");
   command->add_option("--rays", options->rays,
                       "Rays of one model, in its own coordinates: one a line, six decimals, origin and direction");
+  CLI::Option* const along = command->add_option("--along", options->along,
+                                                 "Move A out of B along this direction: three decimals or fractions");
+  command->add_flag("--depth", options->depth, "Move A out of B by the least translation")->excludes(along);
   names.add_options_to(*command);
   options->motion.add_options_to(*command);
   command->footer(
       "Of more than 50,000 triangles in all the page shows bodies and answers alone; more than 1,000,000 are refused.\n"
       "Wrong answers of the kernel are marked on the time line, and the pairs of features that it loses or invents in "
       "the picture. With --pose-a0 to --pose-b1 the page plays one motion to the first contact.\n"
+      "Of two solids it names the relation and draws the faces' parts that bound the overlap; of each body, where it "
+      "intersects itself.\n"
       "Example: tetracone view cat.off house.poly --pose-b poses.txt --kernel float --out scene.html");
   command->callback([options] { run_view(*options); });
 }

@@ -1,14 +1,26 @@
+#include "experiments/peers/depth_peer.h"
 #include "experiments/peers/peer.h"
 #include "experiments/peers/scene_peer.h"
 
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <btBulletCollisionCommon.h>
 
 #include <algorithm>
 
 namespace tetracone::experiments {
 namespace {
+
+btTransform bullet_transform(const kernel::Pose& pose)
+{
+  const auto entry = [&pose](int row, int column) { return static_cast<btScalar>(pose[4 * row + column]); };
+  const btMatrix3x3 m(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
+                      entry(2, 1), entry(2, 2));
+  return btTransform(m, btVector3(entry(0, 3), entry(1, 3), entry(2, 3)));
+}
 
 /// A mesh with what Bullet only points to.
 class Bullet_body {
@@ -32,10 +44,7 @@ class Bullet_body {
 
   const btCollisionObject& placed(const kernel::Pose& pose)
   {
-    const auto entry = [&pose](int row, int column) { return static_cast<btScalar>(pose[4 * row + column]); };
-    const btMatrix3x3 m(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
-                        entry(2, 1), entry(2, 2));
-    object_.setWorldTransform(btTransform(m, btVector3(entry(0, 3), entry(1, 3), entry(2, 3))));
+    object_.setWorldTransform(bullet_transform(pose));
     return object_;
   }
 
@@ -96,6 +105,35 @@ class Bullet_pair : public Prepared_pair {
   Bullet_body a_, b_;
 };
 
+/// The convex hulls of the vertices.
+class Bullet_depth : public Depth_peer {
+ public:
+  Bullet_depth(const Peer_mesh& a, const Peer_mesh& b)
+  {
+    for (const auto& [mesh, hull] : {std::pair(&a, &a_), std::pair(&b, &b_)}) {
+      for (const auto& [x, y, z] : mesh->vertices)
+        hull->addPoint(btVector3(btScalar(x), btScalar(y), btScalar(z)), false);
+      hull->recalcLocalAabb();
+      hull->setMargin(0);
+    }
+  }
+
+  std::optional<double> depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    btGjkPairDetector::ClosestPointInput input;
+    input.m_transformA = bullet_transform(pose_a);
+    input.m_transformB = bullet_transform(pose_b);
+    btPointCollector nearest;
+    btGjkPairDetector(&a_, &b_, &simplex_, &epa_).getClosestPoints(input, nearest, nullptr);
+    return nearest.m_hasResult && nearest.m_distance <= 0 ? std::optional(-double(nearest.m_distance)) : std::nullopt;
+  }
+
+ private:
+  btConvexHullShape a_, b_;
+  btVoronoiSimplexSolver simplex_;
+  btGjkEpaPenetrationDepthSolver epa_;
+};
+
 /// The broad phase of the library, and the question of `Bullet_pair` for what it lets through.
 class Bullet_scene : public Scene_peer {
  public:
@@ -150,6 +188,11 @@ class Bullet_scene : public Scene_peer {
 std::unique_ptr<Prepared_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b)
 {
   return std::make_unique<Bullet_pair>(a, b);
+}
+
+std::unique_ptr<Depth_peer> bullet_depth(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Bullet_depth>(a, b);
 }
 
 std::unique_ptr<Scene_peer> prepare_bullet_scene(const std::vector<Peer_mesh>& meshes,

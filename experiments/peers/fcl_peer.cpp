@@ -1,8 +1,10 @@
+#include "experiments/peers/depth_peer.h"
 #include "experiments/peers/fcl.h"
 #include "experiments/peers/scene_peer.h"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/convex.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
@@ -156,6 +158,36 @@ class Fcl_motion : public Motion_peer {
   fcl::ContinuousCollisionRequestd request_;
 };
 
+/// Two convex bodies, without a tree.
+class Fcl_depth : public Depth_peer {
+ public:
+  Fcl_depth(const Peer_mesh& a, const Peer_mesh& b, fcl::GJKSolverType solver)
+      : a_(convex(a)), b_(convex(b)), request_(1, true)
+  {
+    request_.gjk_solver_type = solver;
+  }
+
+  std::optional<double> depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    fcl::CollisionResultd result;
+    fcl::collide<double>(a_.get(), transform(pose_a), b_.get(), transform(pose_b), request_, result);
+    return result.isCollision() ? std::optional(result.getContact(0).penetration_depth) : std::nullopt;
+  }
+
+ private:
+  static std::unique_ptr<fcl::Convexd> convex(const Peer_mesh& mesh)
+  {
+    const auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
+    for (const auto& [x, y, z] : mesh.vertices) vertices->emplace_back(x, y, z);
+    const auto faces = std::make_shared<std::vector<int>>();
+    for (const auto& t : mesh.triangles) faces->insert(faces->end(), {3, int(t[0]), int(t[1]), int(t[2])});
+    return std::make_unique<fcl::Convexd>(vertices, int(mesh.triangles.size()), faces);
+  }
+
+  std::unique_ptr<fcl::Convexd> a_, b_;
+  fcl::CollisionRequestd request_;
+};
+
 class Fcl_scene : public Scene_peer {
  public:
   Fcl_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
@@ -263,6 +295,15 @@ std::span<const Named_motion_peer> motion_peers()
       Named_motion_peer{"FCL steps", "continuousCollide of surfaces by ten steps; translations of B alone are asked",
                         fcl_steps}};
   return all;
+}
+
+std::unique_ptr<Depth_peer> fcl_libccd_depth(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Fcl_depth>(a, b, fcl::GST_LIBCCD);
+}
+std::unique_ptr<Depth_peer> fcl_own_depth(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Fcl_depth>(a, b, fcl::GST_INDEP);
 }
 
 std::unique_ptr<Scene_peer> prepare_fcl_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)

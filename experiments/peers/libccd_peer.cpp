@@ -1,3 +1,4 @@
+#include "experiments/peers/depth_peer.h"
 #include "experiments/peers/peer.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/predicate/signs.h"
@@ -67,17 +68,23 @@ void center(const void* object, ccd_vec3_t* out)
   body.image(body.middle, out);
 }
 
+ccd_t settings()
+{
+  ccd_t ccd;
+  CCD_INIT(&ccd);
+  ccd.support1 = ccd.support2 = support;
+  ccd.center1 = ccd.center2 = center;
+  ccd.max_iterations = 100;  // as in its documentation
+  return ccd;
+}
+
 class Libccd_pair : public Prepared_pair {
  public:
   using Intersect = int (*)(const void*, const void*, const ccd_t*);
 
-  Libccd_pair(const Peer_mesh& a, const Peer_mesh& b, Intersect intersect) : a_(a), b_(b), intersect_(intersect)
-  {
-    CCD_INIT(&ccd_);
-    ccd_.support1 = ccd_.support2 = support;
-    ccd_.center1 = ccd_.center2 = center;
-    ccd_.max_iterations = 100;  // as in its documentation
-  }
+  Libccd_pair(const Peer_mesh& a, const Peer_mesh& b, Intersect intersect)
+      : a_(a), b_(b), intersect_(intersect), ccd_(settings())
+  {}
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
   {
@@ -89,6 +96,30 @@ class Libccd_pair : public Prepared_pair {
  private:
   Ccd_body a_, b_;
   Intersect intersect_;
+  ccd_t ccd_;
+};
+
+class Libccd_depth : public Depth_peer {
+ public:
+  using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*, ccd_vec3_t*, ccd_vec3_t*);
+
+  Libccd_depth(const Peer_mesh& a, const Peer_mesh& b, Penetration penetration)
+      : a_(a), b_(b), penetration_(penetration), ccd_(settings())
+  {}
+
+  std::optional<double> depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    a_.pose = &pose_a;
+    b_.pose = &pose_b;
+    ccd_real_t depth = 0;
+    ccd_vec3_t direction, position;
+    const bool meet = penetration_(&a_, &b_, &ccd_, &depth, &direction, &position) == 0;
+    return meet ? std::optional(double(depth)) : std::nullopt;
+  }
+
+ private:
+  Ccd_body a_, b_;
+  Penetration penetration_;
   ccd_t ccd_;
 };
 
@@ -107,6 +138,15 @@ std::unique_ptr<Prepared_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer
 std::unique_ptr<Prepared_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b)
 {
   return prepare(a, b, ccdMPRIntersect);
+}
+
+std::unique_ptr<Depth_peer> libccd_epa_depth(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Libccd_depth>(a, b, ccdGJKPenetration);
+}
+std::unique_ptr<Depth_peer> libccd_mpr_depth(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Libccd_depth>(a, b, ccdMPRPenetration);
 }
 
 }  // namespace tetracone::experiments

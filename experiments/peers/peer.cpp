@@ -1,5 +1,6 @@
 #include "experiments/peers/peer.h"
 
+#include "experiments/peers/depth_peer.h"
 #include "experiments/peers/scene_peer.h"
 #include "tetracone/covering/planarity.h"
 #include "tetracone/covering/repair/repair.h"
@@ -97,6 +98,25 @@ const std::vector<Peer>& peers()
        "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by inclusion; exact for a "
        "pose of doubles",
        verify::Knows::both, prepare_cgal_epeck},
+  };
+  return all;
+}
+
+const std::vector<Named_depth_peer>& depth_peers()
+{
+  static const std::vector<Named_depth_peer> all = {
+#ifdef TETRACONE_WITH_FCL
+      {"FCL libccd", "FCL, collide of two Convex with contact: the GJK solver of libccd, and EPA", fcl_libccd_depth},
+      {"FCL own", "FCL, collide of two Convex with contact: its own GJK solver, and EPA", fcl_own_depth},
+#endif
+#ifdef TETRACONE_WITH_CCD
+      {"libccd EPA", "libccd, ccdGJKPenetration on the vertices, at most 100 iterations", libccd_epa_depth},
+      {"libccd MPR", "libccd, ccdMPRPenetration on the vertices, at most 100 iterations: no least depth is promised",
+       libccd_mpr_depth},
+#endif
+#ifdef TETRACONE_WITH_BULLET
+      {"Bullet", "Bullet, btGjkPairDetector with the EPA solver on two convex hulls, margin 0; float", bullet_depth},
+#endif
   };
   return all;
 }

@@ -1,6 +1,7 @@
 #include "experiments/queries/experiments.h"
 
 #include "experiments/queries/points_truth.h"
+#include "experiments/queries/touching.h"
 #include "experiments/speed/benchmark_workload.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
@@ -194,6 +195,7 @@ void run_measures(const Experiment_options& options)
     race_points(measures, name, objects(name, 70000), 20000, options.seed);
   race_self_intersections(measures, "blob", objects("blob", options.full ? 1'000'000 : 70'000));
   write_whole(options.out / "measures.csv", measures.text());
+  write_whole(options.out / "touching.csv", touching_csv(options.full ? 1000 : 100, options.seed));
 }
 
 }  // namespace tetracone::experiments

@@ -1,5 +1,6 @@
 #include "experiments/queries/experiments.h"
 
+#include "experiments/queries/judged_depths.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/stopwatch.h"
@@ -80,12 +81,38 @@ void add_row(Csv_table& table, std::size_t triangles, const std::string& place, 
               question.c_str(), timed.total / count, timed.most, timed.exact, poses, timed.width / count);
 }
 
+/// Adds how narrow the brackets of depths are after so many boxes of translations, and after what time.
+void add_widths(Csv_table& table, Query& query, std::size_t triangles, const std::string& place,
+                const std::vector<Stand>& all, std::uint64_t seed)
+{
+  for (const std::size_t budget : {0, 100, 300, 1000, 3000, 10000}) {
+    Timed timed;
+    for (const Stand& stand : all) {
+      const Stopwatch watch;
+      const Depth depth = query.depth(stand.pose, Pose(), {.relative = 0, .budget = budget});
+      timed.add(watch.nanoseconds());
+      timed.exact += depth.is_exact;
+      timed.width += (depth.high - depth.low) / depth.high;
+    }
+    const double count = double(all.size());
+    table.add(Csv_row()
+                  .add("triangles", triangles)
+                  .add("place", place)
+                  .add("budget", budget)
+                  .add("poses", all.size())
+                  .add("mean_ns", timed.total / count)
+                  .add("exact", timed.exact)
+                  .add("mean_width", timed.width / count)
+                  .add_origin(seed));
+  }
+}
+
 }  // namespace
 
 void run_penetration(const Experiment_options& options)
 {
   make_folder(options.out);
-  Csv_table table;
+  Csv_table table, widths;
   std::vector<std::size_t> sizes = {200, 1000};
   if (options.full) sizes.push_back(7172);
   for (const std::size_t triangles : sizes) {
@@ -117,9 +144,12 @@ void run_penetration(const Experiment_options& options)
       add_row(table, body.polyhedron().face_count(), place, "exit", all.size(), exits, options.seed);
       add_row(table, body.polyhedron().face_count(), place, "first contact", all.size(), contacts, options.seed);
       add_row(table, body.polyhedron().face_count(), place, "depth", all.size(), depths, options.seed);
+      add_widths(widths, query, body.polyhedron().face_count(), place, all, options.seed);
     }
   }
   write_whole(options.out / "penetration.csv", table.text());
+  write_whole(options.out / "penetration_widths.csv", widths.text());
+  write_whole(options.out / "penetration_peers.csv", judged_depths(options.full ? 1000 : 100, options.seed));
 }
 
 }  // namespace tetracone::experiments

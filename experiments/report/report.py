@@ -15,6 +15,7 @@ import tempfile
 import figures_failure
 import figures_motion
 import figures_need
+import figures_overlap
 import figures_paper
 import figures_peers
 import figures_scenes
@@ -34,7 +35,8 @@ from study_data import Study
 
 
 MODULES = (figures_speed, tables_price, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages, figures_peers, tables_queries,
-           figures_scenes, figures_need, tables_bounds, tables_motion, figures_motion)
+           figures_scenes, figures_need, tables_bounds, tables_motion, figures_motion,
+           figures_overlap)
 
 
 def chart(page, study, campaign):

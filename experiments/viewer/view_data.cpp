@@ -1,6 +1,7 @@
 #include "experiments/viewer/view_data.h"
 
 #include "experiments/support/progress.h"
+#include "experiments/viewer/overlap_parts.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
@@ -39,6 +40,8 @@ using Json = nlohmann::ordered_json;
 
 // More pairs of features, or segments of contacts, in one pose than anybody can see make the page too long to load.
 constexpr std::size_t most_features = 2000;
+// Parts of overlaps in all poses: 10 MB of a page.
+constexpr std::size_t most_parts = 100'000;
 
 std::size_t triangle_count(const Polyhedron& polyhedron)
 {
@@ -199,6 +202,54 @@ Json contacts_data(const Contacts& contacts)
   return segments;
 }
 
+/// The number of pairs of faces in contact.
+std::size_t pair_count(const Contacts& contacts)
+{
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    count += k == 0 || contacts[k].face_a != contacts[k - 1].face_a || contacts[k].face_b != contacts[k - 1].face_b;
+  return count;
+}
+
+/// The vector by which A leaves B, and how long it is. Requires interiors that share a point.
+Json out_data(Query& query, const Pose& pose_a, const Pose& pose_b, const View_way_out& way)
+{
+  if (way.is_least()) {
+    // A page shows six digits.
+    const Depth depth = query.depth(pose_a, pose_b, {.relative = 1e-6});
+    return {{"vector", depth.vector}, {"bounds", {depth.low, depth.high}}, {"exact", depth.is_exact}};
+  }
+  const Exits exits = query.exits(pose_a, pose_b, way.along);
+  std::array<double, 3> vector{};
+  for (std::size_t k = 0; k < 3; ++k)
+    vector[k] = kernel::nearest_double(
+        kernel::Rational(*kernel::parse_number(way.along[k]) * kernel::Rational(exits.exact_last)));
+  return {{"vector", vector}, {"first", exits.first}, {"last", exits.last}};
+}
+
+/// How solids stand, and the border of their overlap, of which at most `parts_left` parts are told.
+Json solids_data(Query& query, Overlap_parts& overlap, const Pose& pose_a, const Pose& pose_b,
+                 const std::optional<View_way_out>& way, std::size_t& parts_left)
+{
+  const Solid_contact contact = query.solid_relation(pose_a, pose_b);
+  Json row = {{"relation", to_string(contact.relation)}, {"dimension", contact.dimension}};
+  if (contact.relation == Solid_relation::disjoint || contact.relation == Solid_relation::meet) return row;
+  const auto [low, high] = query.overlap_bounds(pose_a, pose_b).volume;
+  row["volume"] = short_number(low / 2 + high / 2);
+  if (way) row["out"] = out_data(query, pose_a, pose_b, *way);
+  const std::vector<Overlap_parts::Corners> parts = overlap.at(pose_a, pose_b);
+  row["parts"] = nullptr;
+  if (parts.size() > parts_left) return row;
+  parts_left -= parts.size();
+  row["parts"] = Json::array();
+  for (const Overlap_parts::Corners& part : parts) {
+    Json numbers = Json::array();
+    for (const auto& corner : part) append(numbers, corner);
+    row["parts"].push_back(std::move(numbers));
+  }
+  return row;
+}
+
 /// The distance, the two nearest points and what holds them.
 Json nearest_data(const Nearest& nearest)
 {
@@ -260,7 +311,10 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   std::optional<tetratree::Collision<K>> query;
   if (!trees.empty()) query.emplace(trees[0], trees[1]);
   Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(),
-       left = Json::array(), contacts = Json::array(), nearest = Json::array();
+       left = Json::array(), contacts = Json::array(), nearest = Json::array(), solids = Json::array();
+  std::size_t parts_left = most_parts;
+  std::optional<Overlap_parts> overlap;
+  if (query && scene.question == kernel::Question::solid) overlap.emplace(scene.bodies[0].body, scene.bodies[1].body);
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
     const Pose &pose_a = scene.poses.of_a(k), &pose_b = scene.poses.of_b(k);
@@ -275,7 +329,11 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
       features.push_back(features_data(pairs, judged->features(pose_a, pose_b)));
       left.push_back(*leaves);
       contacts.push_back(contacts_data(exact->contacts(pose_a, pose_b)));
+      if (overlap)
+        solids.push_back(
+            solids_data(*exact->query(scene.question), *overlap, pose_a, pose_b, scene.way_out, parts_left));
     } else {
+      if (overlap) solids.push_back(nullptr);
       counts.push_back(nullptr);
       features.push_back(Json::array());
       contacts.push_back(Json::array());
@@ -291,6 +349,7 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   data["left"] = left;
   data["contacts"] = contacts;
   data["nearest"] = nearest;
+  if (!solids.empty()) data["solids"] = solids;
 }
 
 void add_answer_of_predicate(Json& data, const verify::Case_file& c, const std::string& kernel)
@@ -354,7 +413,12 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
   Json data = {{"name", scene.name}, {"version", TETRACONE_VERSION}, {"bodies", Json::array()}};
   for (const Model_file& body : scene.bodies)
     data["bodies"].push_back(body_data(body, covering::Covering(body.polyhedron())));
-  for (std::size_t k = 0; k < trees.size(); ++k) add_method(data["bodies"][k], trees[k]);
+  for (std::size_t k = 0; k < trees.size(); ++k) {
+    add_method(data["bodies"][k], trees[k]);
+    const Contacts own = scene.bodies[k].body.self_intersections();
+    data["bodies"][k]["self"] = contacts_data(own);
+    data["bodies"][k]["self_pairs"] = pair_count(own);
+  }
   data["poses"] = {poses_data(scene.poses.a), poses_data(scene.poses.b)};
   const char* const question = scene.question == kernel::Question::solid ? "solid" : "surface";
   if (pair) data["question"] = predicate ? verify::to_string(*scene.from->predicate) : question;

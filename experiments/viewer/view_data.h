@@ -40,6 +40,11 @@ std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron&
 ///    features. A predicate's case has answers only;
 ///  - `nearest`, for each pose: the distance, the two nearest points and the features that contain them;
 ///  - `contacts`, for each pose: where faces meet, as segments of six numbers; a polygon is given by its border;
+///  - `self`, of a body: where it intersects itself, as `contacts`; `self_pairs`: the number of pairs of its faces;
+///  - `solids`, for each pose of two solids: the relation, the dimension of what the surfaces share, and the volume of
+///    the overlap; `parts`: the polygons that bound the overlap, by their coordinates, or null where they are more than
+///    a page holds; `out`: the vector that moves A out of B, with bounds of its length, or with the exits. A pose with
+///    more than `most_leaf_pairs` has null;
 ///  - `motion`, for two moving bodies: the times of the poses; `first`: the doubles around the first contact;
 ///    `holders`: the features of A and B that meet then, in words and by their numbers;
 ///  - `rays`, for one body: origin and direction, and the faces that each ray meets, with t.

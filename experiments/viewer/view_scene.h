@@ -19,6 +19,12 @@ struct View_motion {
   std::optional<First_contact> first;
 };
 
+/// How A is moved out of B.
+struct View_way_out {
+  std::array<std::string, 3> along;  ///< the direction, in decimals or fractions; all empty: by the least translation
+  bool is_least() const { return along[0].empty(); }
+};
+
 /// One or two bodies under poses.
 struct View_scene {
   std::string name;                ///< the names of the files without their folders
@@ -28,6 +34,7 @@ struct View_scene {
   std::optional<verify::Case_file> from;    ///< the case file, if it is one's
   std::vector<std::array<double, 6>> rays;  ///< of one body, in its own coordinates: origin and direction
   std::optional<View_motion> motion;
+  std::optional<View_way_out> way_out;  ///< of two solids
 };
 
 /// Reads a scene. The bodies of a predicate's case are the points, segments, triangles and tetrahedra of the predicate.

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_TETRATREE_DOOR_CONTACTS_DATA_H
 #define TETRACONE_TETRATREE_DOOR_CONTACTS_DATA_H
 
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/contact/face_pairs.h"
 #include "tetracone/tetratree/door/solver.h"
@@ -21,6 +23,10 @@ struct Contacts_data {
 
 /// Returns where piece k is, exactly; see `Contacts::loops`.
 std::vector<std::vector<std::array<kernel::Rational, 3>>> rational_loops(const Contacts_data& contacts, std::size_t k);
+
+/// Returns a normal of a face, exactly, of any length; 0 for a face without a plane. Throws Error for a face's number
+/// out of range.
+kernel::Rational_point exact_normal(const covering::Polyhedron& polyhedron, covering::Index face);
 
 /// Answers queries for features and contacts by the fast tree.
 class Contact_solver {

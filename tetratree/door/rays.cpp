@@ -4,6 +4,7 @@
 #include "tetracone/kernel/number/nearest_root.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/contacts_data.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/query/bvh8_rays.h"
 
@@ -43,9 +44,10 @@ double checked(double end)
   return end;
 }
 
-/// Returns a normal of the face, exactly, of any length; 0 for a face without a plane. The sum of its loops' cross
-/// products is twice the area times the unit normal.
-kernel::Rational_point exact_normal(const Polyhedron& polyhedron, Index face)
+}  // namespace
+
+/// The sum of the cross products of a face's loops is twice the area times the unit normal.
+kernel::Rational_point detail::exact_normal(const Polyhedron& polyhedron, Index face)
 {
   if (face >= polyhedron.face_count())
     throw Error("body: face " + std::to_string(face) + " of " + std::to_string(polyhedron.face_count()) +
@@ -63,8 +65,6 @@ kernel::Rational_point exact_normal(const Polyhedron& polyhedron, Index face)
   return normal;
 }
 
-}  // namespace
-
 std::optional<Ray_hit> Body::first_hit(const Ray& ray) const { return rays_of(*data_).first(checked(ray)); }
 
 std::optional<Ray_hit> Body::first_hit(const Ray& ray, double end) const
@@ -77,13 +77,14 @@ bool Body::is_hit(const Ray& ray, double end) const { return rays_of(*data_).any
 Crossing Body::crossing(const Ray& ray, Index face) const
 {
   const auto& d = checked(ray).direction;
-  const int sign = sgn(kernel::dot(exact_normal(data_->polyhedron, face), kernel::Rational_point{d[0], d[1], d[2]}));
+  const int sign =
+      sgn(kernel::dot(detail::exact_normal(data_->polyhedron, face), kernel::Rational_point{d[0], d[1], d[2]}));
   return sign < 0 ? Crossing::entering : sign > 0 ? Crossing::leaving : Crossing::along;
 }
 
 std::array<double, 3> Body::normal(Index face) const
 {
-  const kernel::Rational_point exact = exact_normal(data_->polyhedron, face);
+  const kernel::Rational_point exact = detail::exact_normal(data_->polyhedron, face);
   const kernel::Rational square = kernel::dot(exact, exact);
   std::array<double, 3> normal{};
   if (sgn(square) == 0) return normal;

@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/python/body.h"
 
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/python/arrays.h"
 #include "tetracone/tetratree/python/texts.h"
 #include "tetracone/tetratree/python/unlocked.h"
@@ -8,13 +9,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -130,21 +134,77 @@ py::tuple nearest(const Python_body& self, const py::object& values)
   return py::make_tuple(distances, at, py::module_::import("numpy").attr("array")(holders, "str"), only);
 }
 
-/// Rays of as many directions as origins; one of either serves all of the other.
+/// One number, or an array (n,) of numbers, which are doubles.
+class Column {
+ public:
+  Column(const py::object& values, const std::string& name) : name_(name), numbers_(values, name)
+  {
+    if (numbers_.dimensions() > 1)
+      throw Error(name + ": an array of shape " + numbers_.shape() + "; expected (n,), or one number");
+    if (numbers_.is_exact_text()) throw Error(name + ": numbers that are no doubles; expected doubles");
+  }
+
+  bool is_one() const { return numbers_.dimensions() == 0; }
+  std::size_t count() const { return is_one() ? 1 : numbers_.extent(0); }
+  double operator()(std::size_t k) const
+  {
+    double value = 0;
+    std::memcpy(&value, numbers_.data() + (is_one() ? 0 : numbers_.stride(0) * std::ptrdiff_t(k)), sizeof value);
+    return value;
+  }
+  std::string name(std::size_t k) const { return is_one() ? name_ : name_ + "[" + std::to_string(k) + "]"; }
+
+ private:
+  std::string name_;
+  Numbers numbers_;
+};
+
+/// Returns the ends of rays; None is no end.
+Column ends_of(const py::object& end)
+{
+  return Column(end.is_none() ? py::float_(std::numeric_limits<double>::infinity()) : end, "end");
+}
+
+/// Numbers of faces; -1 stands for no face, as `first_hit` returns it.
+class Face_numbers : public Column {
+ public:
+  explicit Face_numbers(const py::object& values) : Column(values, "faces") {}
+
+  /// Returns what ask(face k) returns, and `none` for no face. Throws Error with the name of what is no face's number.
+  template <class Answer, class Ask>
+  Answer answer(std::size_t k, const Answer& none, const Ask& ask) const
+  {
+    const double number = (*this)(k);
+    if (number == -1) return none;
+    if (!(number >= 0 && number <= double(std::numeric_limits<Index>::max())) || number != std::floor(number))
+      throw Error(name(k) + ": " + kernel::shortest(number) + "; expected a face's number, or -1 for no face");
+    try {
+      return ask(Index(number));
+    } catch (const Error& error) {
+      throw renamed(error, "body:", name(k) + ":");
+    }
+  }
+};
+
+/// Rays of as many directions as origins; one of either serves all of the other. Each has a number of `more`, or the
+/// only one.
 class Rays {
  public:
-  Rays(const py::object& origins, const py::object& directions)
-      : origins_(origins, "origins", "origin"), directions_(directions, "directions", "direction")
+  Rays(const py::object& origins, const py::object& directions, const Column& more)
+      : origins_(origins, "origins", "origin"), directions_(directions, "directions", "direction"), more_(more)
   {
     for (const Rows* rows : {&origins_, &directions_})
       if (rows->is_exact_text()) throw Error(rows->name(0) + ": numbers that are no doubles; expected doubles");
     if (!origins_.is_one() && !directions_.is_one() && origins_.count() != directions_.count())
       throw Error("rays: " + std::to_string(origins_.count()) + " origins and " + std::to_string(directions_.count()) +
                   " directions; expected as many, or one of either");
+    if (!are_one() && !more.is_one() && count_of_rays() != more.count())
+      throw Error("rays: " + std::to_string(count_of_rays()) + " of them, and " + std::to_string(more.count()) +
+                  " numbers for them; expected as many, or one of either");
   }
 
-  bool is_one() const { return origins_.is_one() && directions_.is_one(); }
-  std::size_t count() const { return origins_.is_one() ? directions_.count() : origins_.count(); }
+  bool is_one() const { return are_one() && more_.is_one(); }
+  std::size_t count() const { return are_one() ? more_.count() : count_of_rays(); }
 
   /// Returns what ask(ray k) returns. Throws Error with the ray's name.
   template <class Ask>
@@ -158,12 +218,18 @@ class Rays {
   }
 
  private:
+  bool are_one() const { return origins_.is_one() && directions_.is_one(); }
+  std::size_t count_of_rays() const { return origins_.is_one() ? directions_.count() : origins_.count(); }
+
   Rows origins_, directions_;
+  const Column& more_;
 };
 
-py::object first_hit(const Python_body& self, const py::object& origins, const py::object& directions)
+py::object first_hit(const Python_body& self, const py::object& origins, const py::object& directions,
+                     const py::object& end)
 {
-  const Rays rays(origins, directions);
+  const Column ends = ends_of(end);
+  const Rays rays(origins, directions, ends);
   const auto count = static_cast<py::ssize_t>(rays.count());
   py::array_t<std::int64_t> faces(count);
   py::array_t<double> ts(count);
@@ -171,7 +237,7 @@ py::object first_hit(const Python_body& self, const py::object& origins, const p
   double* const t = ts.mutable_data();
   No_lock none;
   for_each_unlocked(rays.count(), none, [&](std::size_t k) {
-    const auto hit = rays.answer(k, [&](const Ray& ray) { return self.body.first_hit(ray); });
+    const auto hit = rays.answer(k, [&](const Ray& ray) { return self.body.first_hit(ray, ends(k)); });
     face[k] = hit ? std::int64_t(hit->face) : -1;
     t[k] = hit ? hit->t : std::numeric_limits<double>::infinity();
   });
@@ -179,14 +245,62 @@ py::object first_hit(const Python_body& self, const py::object& origins, const p
   return py::make_tuple(faces, ts);
 }
 
-py::tuple hits(const Python_body& self, const py::object& origins, const py::object& directions)
+py::object is_hit(const Python_body& self, const py::object& origins, const py::object& directions,
+                  const py::object& end)
 {
-  const Rays rays(origins, directions);
+  const Column ends = ends_of(end);
+  const Rays rays(origins, directions, ends);
+  py::array_t<bool> answers(static_cast<py::ssize_t>(rays.count()));
+  bool* const answer = answers.mutable_data();
+  No_lock none;
+  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+    answer[k] = rays.answer(k, [&](const Ray& ray) { return self.body.is_hit(ray, ends(k)); });
+  });
+  if (rays.is_one()) return py::bool_(answer[0]);
+  return answers;
+}
+
+py::object crossings(const Python_body& self, const py::object& origins, const py::object& directions,
+                     const py::object& of_faces)
+{
+  const Face_numbers faces(of_faces);
+  const Rays rays(origins, directions, faces);
+  std::vector<std::string_view> found(rays.count());
+  No_lock none;
+  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+    found[k] = rays.answer(k, [&](const Ray& ray) {
+      return faces.answer(k, std::string_view(), [&](Index face) { return to_string(self.body.crossing(ray, face)); });
+    });
+  });
+  if (rays.is_one()) return py::str(std::string(found[0]));
+  py::list words;
+  for (const std::string_view word : found) words.append(std::string(word));
+  return py::module_::import("numpy").attr("array")(words, "U8");
+}
+
+py::object face_normals(const Python_body& self, const py::object& of_faces)
+{
+  const Face_numbers faces(of_faces);
+  py::array_t<double> rows({static_cast<py::ssize_t>(faces.count()), py::ssize_t(3)});
+  double* const row = rows.mutable_data();
+  std::array<double, 3> no_normal{};
+  no_normal.fill(std::numeric_limits<double>::quiet_NaN());
+  No_lock none;
+  for_each_unlocked(faces.count(), none, [&](std::size_t k) {
+    std::ranges::copy(faces.answer(k, no_normal, [&](Index face) { return self.body.normal(face); }), row + 3 * k);
+  });
+  return faces.is_one() ? py::object(rows.attr("reshape")(3)) : rows;
+}
+
+py::tuple hits(const Python_body& self, const py::object& origins, const py::object& directions, const py::object& end)
+{
+  const Column ends = ends_of(end);
+  const Rays rays(origins, directions, ends);
   std::vector<std::int64_t> ray_of, faces;
   std::vector<double> ts;
   No_lock none;
   for_each_unlocked(rays.count(), none, [&](std::size_t k) {
-    for (const Ray_hit& hit : rays.answer(k, [&](const Ray& ray) { return self.body.hits(ray); })) {
+    for (const Ray_hit& hit : rays.answer(k, [&](const Ray& ray) { return self.body.hits(ray, ends(k)); })) {
       ray_of.push_back(std::int64_t(k));
       faces.push_back(std::int64_t(hit.face));
       ts.push_back(hit.t);
@@ -203,6 +317,8 @@ py::tuple hits(const Python_body& self, const py::object& origins, const py::obj
 
 void add_body(py::module_& module)
 {
+  const auto origins = py::arg("origins"), directions = py::arg("directions");
+  const auto end = py::arg("end") = py::none();
   py::class_<Python_body, std::shared_ptr<Python_body>>(module, "Body", R"(Body(vertices, faces)
 
 A polyhedron that queries can be asked about. Immutable, and shared by any number of threads.
@@ -251,14 +367,16 @@ array([ 2. ,  5. , -0.5])
 >>> body.nearest([-3, 0, -4])[1:]
 (array([0., 0., 0.]), 'vertex 0', True)
 )")
-      .def("first_hit", &first_hit, py::arg("origins"), py::arg("directions"), R"(first_hit(origins, directions)
+      .def("first_hit", &first_hit, origins, directions, end, R"(first_hit(origins, directions, end=None)
 
 The first face that each ray origin + t direction, t >= 0, meets, and t: (faces, t). Exact: of least t, and of those the
-face of the least number; each t is the double nearest to the exact one. Where a ray meets nothing, -1 and infinity.
+face of the least number; each t is the double nearest to the exact one. Where a ray meets nothing, -1 and infinity; nor
+is anything met at a t above `end`, compared exactly: 1 where a ray is the segment from its origin along its direction.
 
 origins, directions: arrays (n, 3) of doubles, or one (3,) for all -> arrays (n,) of int64 and of float64; one ray -> an
 int and a float. A direction may have any length but 0. The surface may be open.
-Raises Error for a number that is not finite and for a direction of 0, with the ray.
+end: a double for all rays, or an array (n,) of them; None is no end.
+Raises Error for a number that is not finite, for a direction of 0 and for an end of nan, with the ray.
 
 >>> import tetracone
 >>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -267,12 +385,49 @@ Raises Error for a number that is not finite and for a direction of 0, with the 
 >>> body.first_hit([0.25, 0.25, 9], [0, 0, -1])
 (3, 8.5)
 )")
-      .def("hits", &hits, py::arg("origins"), py::arg("directions"), R"(hits(origins, directions)
+      .def("is_hit", &is_hit, origins, directions, end, R"(is_hit(origins, directions, end=None)
+
+Whether each ray meets some face at a t of at most `end`: array (n,) of bool; one ray -> a bool. It costs less than
+first_hit. Arguments and errors are as of first_hit.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> body.is_hit([0.25, 0.25, 9], [0, 0, -1], end=[8.5, 8])
+array([ True, False])
+)")
+      .def("crossings", &crossings, origins, directions, py::arg("faces"), R"(crossings(origins, directions, faces)
+
+How each ray goes through a face that it meets: array (n,) of "entering" against the face's normal, "leaving" with it,
+and "along" its plane; one ray and face -> a str. Of face -1, which first_hit says where there is none, it is "".
+
+faces: an array (n,) of faces' numbers, or one for all. Raises Error for a number out of range, and as first_hit.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> rays, faces, t = body.hits([0.25, 0.25, -1], [0, 0, 1])
+>>> body.crossings([0.25, 0.25, -1], [0, 0, 1], faces).tolist()
+['entering', 'leaving']
+)")
+      .def("normals", &face_normals, py::arg("faces"), R"(normals(faces)
+
+The unit normals of faces, to the side that sees their loops counterclockwise: outward where faces are oriented outward.
+Each component is the double nearest to the exact one. All are 0 for a face without area, and nan for face -1.
+
+faces: an array (n,) of faces' numbers -> array (n, 3) of float64; one -> array (3,). Raises Error for a number out of
+range.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> body.normals([0, 3])
+array([[ 0.        ,  0.        , -1.        ],
+       [ 0.57735027,  0.57735027,  0.57735027]])
+)")
+      .def("hits", &hits, origins, directions, end, R"(hits(origins, directions, end=None)
 
 Every face that each ray meets, once each, where it first does: (rays, faces, t), an entry a face, by rays, then in the
 exact order of t, then of faces. A ray in a face's plane meets it where it comes to the closed face.
 
-origins, directions: as first_hit -> arrays (m,) of int64, int64 and float64. Raises Error as first_hit.
+origins, directions, end: as first_hit -> arrays (m,) of int64, int64 and float64. Raises Error as first_hit.
 
 >>> import tetracone
 >>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])

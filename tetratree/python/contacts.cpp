@@ -1,10 +1,12 @@
 #include "tetracone/tetratree/python/contacts.h"
 
+#include "tetracone/tetratree/door/contact_normals.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <gmpxx.h>
 #include <pybind11/numpy.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -88,6 +90,16 @@ py::list enclosures(const Contacts& contacts, std::ptrdiff_t k)
   return enclosures;
 }
 
+py::array normals(const Contacts& contacts)
+{
+  py::array_t<double> all({contacts.size(), std::size_t(2), std::size_t(2), std::size_t(3)});
+  double* at = all.mutable_data();
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    for (const Enclosure& normal : contact_normals(contacts, k))
+      for (const auto* bound : {&normal.lower, &normal.upper}) at = std::copy(bound->begin(), bound->end(), at);
+  return all;
+}
+
 py::list exact_loops(const Contacts& contacts, std::ptrdiff_t k)
 {
   const py::object make = py::module_::import("fractions").attr("Fraction");
@@ -152,6 +164,11 @@ arrays (m, 3) of a polygon's border: its outer loop and its holes, in no order.)
       .def("enclosures", &enclosures, py::arg("k"), R"(enclosures(k)
 
 As `loops`, each point as doubles below and above it: arrays (m, 2, 3).)")
+      .def("normals", &normals, R"(normals()
+
+The unit normals of the placed faces of all pieces: array (n, 2, 2, 3), of the face of a and the face of b doubles below
+and above each coordinate, which are equal or neighbours. They are outward where faces are oriented outward, and 0 for a
+face without area.)")
       .def("exact_loops", &exact_loops, py::arg("k"), R"(exact_loops(k)
 
 As `loops`, exactly: lists of tuples of three fractions.Fraction.)")

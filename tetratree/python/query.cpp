@@ -230,6 +230,24 @@ py::object within(Locked_query& self, const py::object& limit, const py::object&
                       [&](Query& query, const Pose& a, const Pose& b) { return query.within(a, b, most); });
 }
 
+py::object zone(Locked_query& self, const py::object& limit, const py::object& poses_b, const py::args& more,
+                const py::object& poses_a)
+{
+  require_keywords(more, "zone(limit, poses_a=..., poses_b=...)");
+  const std::string most = exact_text(limit);
+  const Pose_pairs poses(poses_b, poses_a);
+  std::vector<std::vector<std::uint32_t>> found(poses.count);
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.zone(a, b, most); });
+  const auto array = [](const std::vector<std::uint32_t>& faces) {
+    return py::array_t<std::uint32_t>(py::ssize_t(faces.size()), faces.data());
+  };
+  if (poses.is_one()) return array(found[0]);
+  py::list all;
+  for (const auto& faces : found) all.append(array(faces));
+  return all;
+}
+
 py::object solid_relation(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
@@ -595,6 +613,17 @@ bool; of one pose of each, a bool. Other arguments as of `collide`.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).within("1/3", [[1, 0, 0, "4/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
 True
+)")
+      .def("zone", &zone, py::arg("limit"), poses_b, poses_a, R"(zone(limit, poses_b, *, poses_a=None)
+
+The faces of a, in order, that have a point at most `limit` from b, decided exactly: a list of n arrays of uint32; of one
+pose of each, the array. The limit and the other arguments are as of `within`. Raises Error for a kernel that is not
+adaptive or rational.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).zone("1/3", [[1, 0, 0, "4/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
+array([0, 1, 3], dtype=uint32)
 )")
       .def("first_contact", &first_contact, poses_b0, poses_b1, poses_a0, poses_a1, kind,
            R"(first_contact(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")

@@ -121,6 +121,15 @@ py::array pairs(Locked_scene& self)
   return pairs_of(found, [](const Scene_pair& pair) { return pair; });
 }
 
+py::tuple pairs_within(Locked_scene& self, const py::object& limit)
+{
+  const std::string most = exact_text(limit);
+  const std::vector<Scene_distance> found = self.alone([&](Scene& scene) { return scene.pairs_within(most); });
+  py::array_t<double> distances(static_cast<py::ssize_t>(found.size()));
+  for (std::size_t k = 0; k < found.size(); ++k) distances.mutable_data()[k] = found[k].distance;
+  return py::make_tuple(pairs_of(found, [](const Scene_distance& each) { return each.pair; }), distances);
+}
+
 py::array frame(Locked_scene& self, const py::object& of_poses)
 {
   const Poses poses(of_poses, "poses");
@@ -249,6 +258,22 @@ budget: seconds for a frame; what is not decided then is `undecided`. 0: no limi
            "pairs()\n\nThe pairs of placed bodies that collide now: (m, 2) uint32, in order. Raises Error where there "
            "are "
            "bodies and none is placed.")
+      .def("pairs_within", &pairs_within, py::arg("limit"), R"(pairs_within(limit)
+
+The pairs of placed bodies that are at most `limit` apart, and how far: pairs (m, 2) uint32, in order, and distances (m,)
+float, 0 where they collide. The limit is a number, a fractions.Fraction or a text "n/d", decided exactly. Raises Error
+as `pairs` and as `Query.within`.
+
+>>> import numpy as np, tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> scene = tetracone.Scene([a] * 3)
+>>> poses = np.tile(np.eye(3, 4), (3, 1, 1))
+>>> poses[:, 0, 3] = [0, 1, 2.25]
+>>> _ = scene.frame(poses)
+>>> pairs, distances = scene.pairs_within("1/4")
+>>> pairs.tolist(), distances.tolist()
+([[0, 1], [1, 2]], [0.0, 0.25])
+)")
       .def("frame", &frame, py::arg("poses"),
            R"(frame(poses)
 

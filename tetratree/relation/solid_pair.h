@@ -112,33 +112,47 @@ class Solid_pair {
     Solid_overlap overlap;
     kernel::Rational_cones cut;
     std::array<kernel::Model_cones, 2> uncut;
-    for (int body = 0; body < 2; ++body) {
-      for_cut_faces(body, [&](Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
-        add(body, f, cells, seen, cut);
-        if (body == 0) add_contact(f, cells, seen, overlap);
-        return true;
-      });
-      for_uncut_parts(body, [&](const Part& part) {
-        if (!part.is_inside) return;
-        const covering::Polyhedron& polyhedron = solid_[body].polyhedron();
-        for (const Index f : part.faces) {
-          const Solid_sides::Face_sides& sides = solid_[body].sides().of(f);
+    for_border(
+        [&](int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
+          const Rational_point& corner = solid_[body].face(f).origin();
+          cells.for_borders(weights(body, f, cells, seen), [&](const Rational_point& p, const Rational_point& q,
+                                                               int weight) { cut.add(weight, corner, p, q); });
+          if (body == 0) add_contact(f, cells, seen, overlap);
+        },
+        [&](int body, Index f, int weight) {
+          const covering::Polyhedron& polyhedron = solid_[body].polyhedron();
           const covering::Loop v = polyhedron.loop(f, 0);
-          if (!sides.is_plain)
-            for_cells(body, f, {}, [&](const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
-              add(body, f, cells, seen, cut);
-              return true;
-            });
-          else if (sides.front != sides.back)
-            uncut[body].add(sides.back - sides.front, polyhedron.vertices[v[0]], polyhedron.vertices[v[1]],
-                            polyhedron.vertices[v[2]]);
-        }
-      });
-    }
+          uncut[body].add(weight, polyhedron.vertices[v[0]], polyhedron.vertices[v[1]], polyhedron.vertices[v[2]]);
+        });
     kernel::Volume_moment all = cut.value();
     for (int body = 0; body < 2; ++body) all += uncut[body].placed(solid_[body].map());
     overlap.all = kernel::Exact_solid(all);
     return overlap;
+  }
+
+  /// Calls what(corners) for convex parts of faces that together bound the overlap, each once. Corners are
+  /// anticlockwise as seen from outside the overlap; of four, two may be equal.
+  template <class What>
+  void for_border_parts(const What& what)
+  {
+    for_border(
+        [&](int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
+          const std::vector<int> weight = weights(body, f, cells, seen);
+          for (std::size_t c = 0; c < cells.size(); ++c) {
+            if (weight[c] == 0) continue;
+            auto corners = cells.corners(c);
+            if (weight[c] < 0) std::ranges::reverse(corners);
+            what(std::span<const Rational_point>(corners));
+          }
+        },
+        [&](int body, Index f, int weight) {
+          const covering::Loop v = solid_[body].polyhedron().loop(f, 0);
+          const kernel::Rational_map& map = solid_[body].map();
+          std::array<Rational_point, 3> corners;
+          for (std::size_t k = 0; k < 3; ++k) corners[k] = map(solid_[body].polyhedron().vertices[v[k]]);
+          if (weight * sgn(map.determinant()) < 0) std::ranges::reverse(corners);
+          what(std::span<const Rational_point>(corners));
+        });
   }
 
   /// Calls what(face, cells, seen cells) for each face with area that meets the other body, and for each that is no
@@ -262,9 +276,35 @@ class Solid_pair {
     });
   }
 
-  /// Adds the cones over the cells of a face that bound the overlap.
-  void add(int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen,
-           kernel::Rational_cones& cones)
+  /// Calls of_cells(body, face, cells, seen cells) and of_whole(body, face, weight) for all faces that may bound the
+  /// overlap: those of which cells have to be looked at, and whole triangles that bound it.
+  template <class Of_cells, class Of_whole>
+  void for_border(const Of_cells& of_cells, const Of_whole& of_whole)
+  {
+    for (int body = 0; body < 2; ++body) {
+      for_cut_faces(body, [&](Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
+        of_cells(body, f, cells, seen);
+        return true;
+      });
+      for_uncut_parts(body, [&](const Part& part) {
+        if (!part.is_inside) return;
+        for (const Index f : part.faces) {
+          const Solid_sides::Face_sides& sides = solid_[body].sides().of(f);
+          if (!sides.is_plain)
+            for_cells(body, f, {}, [&](const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
+              of_cells(body, f, cells, seen);
+              return true;
+            });
+          else if (sides.front != sides.back)
+            of_whole(body, f, sides.back - sides.front);
+        }
+      });
+    }
+  }
+
+  /// Returns of each cell of a face 1 where it bounds the overlap from above, as seen along the axis, -1 where it does
+  /// from below, else 0. A cell that lies on several faces counts once.
+  std::vector<int> weights(int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen)
   {
     std::vector<int> weights(cells.size(), 0);
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -272,10 +312,7 @@ class Solid_pair {
       weights[c] = int(own.against && other.against) - int(own.along && other.along);
       if (weights[c] != 0 && ((body == 1 && is_on_other) || is_counted(body, f, cells, c))) weights[c] = 0;
     }
-    const Rational_point& corner = solid_[body].face(f).origin();
-    cells.for_borders(weights, [&](const Rational_point& p, const Rational_point& q, int weight) {
-      cones.add(weight, corner, p, q);
-    });
+    return weights;
   }
 
   /// Adds the cells of a face of A that lie on B.

@@ -49,10 +49,21 @@ function placedCorners(body, k)
   for (let c = 0; c < 8; ++c) corners.push(image(pose, [c & 1 ? high[0] : low[0], c & 2 ? high[1] : low[1], c & 4 ? high[2] : low[2]]));
   return corners;
 }
+// How solids stand in pose k; and the vector that moves A out of B, which is 0 where they need not part.
+function solidsOf(k) { return data.solids ? data.solids[k] : null; }
+function outOf(k)
+{
+  const solids = solidsOf(k);
+  return solids && solids.out ? solids.out.vector : [0, 0, 0];
+}
+const plus = (p, v, s = 1) => p.map((x, i) => x + s * v[i]);
+
 const world = (() => {
   const all = [];
   for (const body of bodies)
     for (let k = 0; k < data.poses[body.number].length; ++k) all.push(...placedCorners(body, k));
+  for (let k = 0; k < poseCount; ++k)
+    if (outOf(k).some(x => x !== 0)) all.push(...placedCorners(bodies[0], k).map(p => plus(p, outOf(k))));
   const box = boxOf(all);
   if (!Number.isFinite(box.extent) || box.centre.some(x => !Number.isFinite(x))) throw new Error('these coordinates are too large to be drawn');
   return box;
@@ -60,9 +71,11 @@ const world = (() => {
 const inScene = p => p.map((x, k) => (x - world.centre[k]) / world.extent);
 const placed = (body, k, p) => inScene(image(poseOf(body, k), p));
 
-function place(body, k)
+// Places a body, and A by a share of the way out.
+function place(body, k, share = 0)
 {
-  const pose = poseOf(body, k), scale = body.box.extent / world.extent, t = placed(body, k, body.box.centre);
+  const pose = poseOf(body, k), scale = body.box.extent / world.extent;
+  const t = plus(placed(body, k, body.box.centre), outOf(k), body.number === 0 ? share / world.extent : 0);
   const m = [0, 1, 2].map(r => [0, 1, 2].map(c => pose[4 * r + c] * scale));
   body.group.matrixAutoUpdate = false;
   body.group.matrix.set(...m[0], t[0], ...m[1], t[1], ...m[2], t[2], 0, 0, 0, 1);
@@ -203,6 +216,55 @@ function contactObject(k, radius)
   return group;
 }
 
+// Where bodies intersect themselves, as contacts are drawn.
+const selfMaterial = withColour(new THREE.MeshLambertMaterial({depthTest: false, transparent: true, opacity: 0.95}), '--self');
+function selfObject(k, radius, share)
+{
+  const group = new THREE.Group();
+  for (const body of bodies) {
+    const at = p => plus(placed(body, k, p), outOf(k), body.number === 0 ? share / world.extent : 0);
+    if (body.self.length) group.add(rods(body.self.map(s => [s.slice(0, 3), s.slice(3)].map(at)), radius, selfMaterial));
+  }
+  return group;
+}
+
+// The overlap of two solids: the parts of both surfaces that bound it, seen through the bodies.
+const overlapMaterial = withColour(new THREE.MeshPhongMaterial({flatShading: true, transparent: true, opacity: 0.6, depthTest: false, depthWrite: false,
+                                                               shininess: 8}), '--overlap');
+function partsOf(k) { return (solidsOf(k) && solidsOf(k).parts) || []; }
+function overlapObject(k)
+{
+  const group = new THREE.Group(), points = [];
+  for (const part of partsOf(k)) {
+    const corners = triples(part).map(inScene);
+    for (let i = 2; i < corners.length; ++i) points.push(corners[0], corners[i - 1], corners[i]);
+  }
+  if (!points.length) return group;
+  const mesh = new THREE.Mesh(geometryOf(points), overlapMaterial);
+  mesh.renderOrder = 2;
+  group.add(mesh);
+  return group;
+}
+
+// The vector that moves A out of B, from the middle of the overlap.
+// A material is for instanced meshes or for others, not for both.
+const tipMaterial = withColour(new THREE.MeshBasicMaterial({depthTest: false, transparent: true}), '--ink');
+function wayObject(k, radius)
+{
+  const group = new THREE.Group(), vector = outOf(k), corners = partsOf(k).flatMap(triples);
+  if (vector.every(x => x === 0)) return group;
+  const from = corners.length ? boxOf(corners).centre : image(poseOf(bodies[0], k), bodies[0].box.centre);
+  const ends = [from, plus(from, vector)].map(inScene), along = new THREE.Vector3(...plus(ends[1], ends[0], -1));
+  group.add(rods([ends], radius, nearestMaterial));
+  const length = Math.min(14 * radius, along.length() / 2);
+  const tip = new THREE.Mesh(new THREE.ConeBufferGeometry(length / 3, length, 12), tipMaterial);
+  tip.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().normalize());
+  tip.position.set(...ends[1]).addScaledVector(along.normalize(), -length / 2);
+  tip.renderOrder = 5;
+  group.add(tip);
+  return group;
+}
+
 // The two nearest points of bodies apart, and the way between them.
 const nearestMaterial = withColour(new THREE.MeshBasicMaterial({depthTest: false, transparent: true}), '--ink');
 function nearestObject(k, radius)
@@ -263,7 +325,7 @@ function contactBox(k)
 // What the paper's query leaves for the leaf tests: the faces in the leaves of pairs that are not discarded.
 const leftMaterial = withColour(new THREE.MeshBasicMaterial({side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthWrite: false,
                                                             polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1}), '--left');
-const kept = new Set([leftMaterial, contactMaterial, nearestMaterial, rayMaterial, hitMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
+const kept = new Set([leftMaterial, contactMaterial, selfMaterial, overlapMaterial, tipMaterial, nearestMaterial, rayMaterial, hitMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
 function leftObject(k)
 {
   const group = new THREE.Group();

@@ -4,10 +4,12 @@
 const element = id => document.getElementById(id);
 const canvas = element('picture'), pair = bodies.length === 2, hasFeatures = Boolean(data.features);
 const hasMethod = bodies.every(body => body.nodes);  // a large body has no more than its surface
-const layers = ['a', 'b', 'edges', 'features', 'contacts', 'nearest', 'first', 'rays', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
+const hasSelf = bodies.some(body => body.self_pairs), hasOut = Boolean(data.solids) && data.solids.some(solids => solids && solids.out);
+const layers = ['a', 'b', 'edges', 'self', 'features', 'contacts', 'overlap', 'way', 'nearest', 'first', 'rays', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
 const most = Math.max(...bodies.map(deepest));
 const fewFaces = bodies.every(body => body.faces.length < 500);  // through which one sees the contacts
-const start = {pose: 0, show: ['a', 'b', 'edges', 'features', 'nearest', 'first', 'rays'], level: Math.min(3, most), opacity: hasFeatures && fewFaces ? 0.8 : 1, shrink: 0.8, theme: ''};
+const start = {pose: 0, show: ['a', 'b', 'edges', 'self', 'features', 'overlap', 'way', 'nearest', 'first', 'rays'], level: Math.min(3, most),
+               opacity: hasFeatures && fewFaces ? 0.8 : 1, shrink: 0.8, out: 0, theme: ''};
 const state = {...start, show: new Set(start.show)};
 const isWrong = k => data.exact !== undefined && data.exact[k] !== data.answer[k];
 const wrongPoses = Array.from({length: poseCount}, (_, k) => k).filter(isWrong);
@@ -34,6 +36,7 @@ function readFragment()
   number('level', 1, most);
   number('opacity', 0, 1);
   number('shrink', 0.1, 1);
+  number('out', 0, 1);
   state.pose = Math.round(state.pose);
   state.level = Math.round(state.level);
   state.show = new Set((given.has('show') ? given.get('show').split(',') : start.show).filter(name => layers.includes(name)));
@@ -45,7 +48,7 @@ let written = '', writing = 0;
 function writeFragment()
 {
   const parts = [['show', [...state.show].join(',')], ['camera', camera.text()]];
-  for (const name of ['pose', 'level', 'opacity', 'shrink', 'theme']) if (state[name] !== start[name]) parts.push([name, state[name]]);
+  for (const name of ['pose', 'level', 'opacity', 'shrink', 'out', 'theme']) if (state[name] !== start[name]) parts.push([name, state[name]]);
   written = '#' + parts.map(([name, value]) => name + '=' + value).join('&');
   history.replaceState(null, '', written);
 }
@@ -54,9 +57,10 @@ function writeFragment()
 // Drawing, when something changed and not before.
 
 const made = {};  // name of layer -> {key, objects}: what stands, and for which state it was made
+const whereTheyStand = ['features', 'contacts', 'left'];  // not where A is moved out to
 function layer(name, key, make)
 {
-  const shown = state.show.has(name);
+  const shown = state.show.has(name) && !(state.out > 0 && whereTheyStand.includes(name));
   if (shown && (!made[name] || made[name].key !== key)) {
     if (made[name]) made[name].objects.forEach(discard);
     made[name] = {key, objects: make()};
@@ -91,7 +95,7 @@ function update()
   update.done = true;
   const which = ['a', 'b'].filter(name => state.show.has(name)).join('');
   for (const body of bodies) {
-    place(body, state.pose);
+    place(body, state.pose, state.out);
     body.group.visible = state.show.has(body.number ? 'b' : 'a') && !body.isPoint;
     const material = body.surface.material, clear = state.opacity < 1;
     if (material.transparent !== clear) material.needsUpdate = true;
@@ -107,6 +111,11 @@ function update()
   }
   // Rods keep their width on the screen, but for steps of a quarter.
   const radius = 0.003 * Math.pow(1.25, Math.round(Math.log(camera.view.distance) / Math.log(1.25)));
+  if (hasSelf) layer('self', state.pose + ' ' + radius + ' ' + state.out, () => onMarks(selfObject(state.pose, radius, state.out)));
+  if (data.solids) {
+    layer('overlap', state.pose, () => onMarks(overlapObject(state.pose)));
+    layer('way', state.pose + ' ' + radius, () => onMarks(wayObject(state.pose, radius)));
+  }
   if (hasFeatures) {
     layer('features', state.pose + ' ' + radius, () => onMarks(featureObject(state.pose, radius)));
     layer('contacts', state.pose + ' ' + radius, () => onMarks(contactObject(state.pose, radius)));
@@ -169,6 +178,24 @@ function motionText(k)
   return at + ', first contact ' + when + (holders ? ': ' + holders[0][0] + ' of A, ' + holders[1][0] + ' of B' : '');
 }
 
+const sharing = new Map([[-1, 'nothing'], [0, 'points alone'], [1, 'lines'], [2, 'areas']]);
+function relationText(k)
+{
+  const own = bodies.filter(body => body.self_pairs)
+                  .map(body => 'AB'[body.number] + ' intersects itself in ' + body.self_pairs + (body.self_pairs === 1 ? ' pair' : ' pairs') + ' of faces.');
+  if (!data.solids) return own.join(' ');
+  const solids = data.solids[k];
+  if (!solids) return ['Too many leaves are left to tell the relation.', ...own].join(' ');
+  const said = ['Relation: ' + solids.relation + '; the surfaces share ' + sharing.get(solids.dimension) + '.'];
+  if (solids.volume !== undefined) said.push('Volume of the overlap: ' + solids.volume + (solids.parts ? '.' : '; its parts are too many to be drawn.'));
+  if (solids.out) {
+    const {bounds, exact, first, last} = solids.out, short = x => Number(x.toPrecision(6));
+    said.push(bounds === undefined ? 'First exit of A at ' + short(first) + ', last at ' + short(last) + ' lengths of the direction.'
+              : exact ? 'Depth: ' + short(bounds[1]) + ', the least.' : 'Depth: from ' + bounds[0] + ' to ' + bounds[1] + '.');
+  }
+  return [...said, ...own].join(' ');
+}
+
 function contactsText(k)
 {
   if (data.rays) return raysText();
@@ -192,12 +219,14 @@ function tell()
   if (data.exact) parts.push(data.question + ', exact: ' + answerText(data.exact[k]), data.subject + ': ' + answerText(data.answer[k]) + (wrong ? ' \u2717 wrong' : ' \u2713'));
   element('verdict').textContent = parts.join(' \u00b7 ');
   element('verdict').classList.toggle('wrong', wrong);
+  element('relation').textContent = relationText(k);
   element('contacts').textContent = contactsText(k);
   for (const input of document.querySelectorAll('[data-show]')) input.checked = state.show.has(input.dataset.show);
-  for (const name of ['pose', 'level', 'opacity', 'shrink']) element(name).value = state[name];
+  for (const name of ['pose', 'level', 'opacity', 'shrink', 'out']) element(name).value = state[name];
+  element('out-text').textContent = Math.round(100 * state.out) + ' %';
   element('level-text').textContent = state.level + ' of ' + most;
   const {triangles, lines, points, calls} = renderer.info.render;
-  element('state').textContent = JSON.stringify({ready: true, errors, pose: k, poses: poseCount, show: [...state.show], level: state.level, wrong: wrongPoses,
+  element('state').textContent = JSON.stringify({ready: true, errors, pose: k, poses: poseCount, show: [...state.show], level: state.level, out: state.out, wrong: wrongPoses,
                                                  exact: data.exact && data.exact[k], answer: data.answer && data.answer[k],
                                                  features: featuresOf(k).length, triangles, lines, points, calls, camera: camera.text()});
 }
@@ -252,7 +281,7 @@ for (const input of document.querySelectorAll('[data-show]'))
     if (input.checked && ['covering', 'tetrahedra', 'spheres', 'hull', 'left'].includes(input.dataset.show)) state.opacity = Math.min(state.opacity, 0.35);
     changed();
   });
-for (const name of ['pose', 'level', 'opacity', 'shrink'])
+for (const name of ['pose', 'level', 'opacity', 'shrink', 'out'])
   element(name).addEventListener('input', event => {
     state[name] = Number(event.target.value);
     changed();
@@ -284,6 +313,9 @@ element('name').textContent = data.name;
 bodies.forEach((body, i) => { element('name-' + 'ab'[i]).textContent = 'AB'[i] + (data.case ? '' : ': ' + body.name); });
 for (const part of document.querySelectorAll('[data-pair]')) part.hidden = !pair;
 for (const part of document.querySelectorAll('[data-features]')) part.hidden = !hasFeatures;
+for (const part of document.querySelectorAll('[data-self]')) part.hidden = !hasSelf;
+for (const part of document.querySelectorAll('[data-solids]')) part.hidden = !data.solids;
+for (const part of document.querySelectorAll('[data-out]')) part.hidden = !hasOut;
 for (const part of document.querySelectorAll('[data-rays]')) part.hidden = !data.rays;
 for (const part of document.querySelectorAll('[data-motion]')) part.hidden = !data.motion || !data.motion.holders;
 element('poses').hidden = poseCount < 2;

@@ -116,6 +116,69 @@ BOOST_AUTO_TEST_CASE(features_say_which_pairs_the_kernel_loses_and_invents)
     for (int body = 0; body < 2; ++body) BOOST_TEST(!data["left"][pose][body].empty());
 }
 
+/// The volume that polygons bound.
+double bounded_by(const Json& parts)
+{
+  double volume = 0;
+  for (const Json& part : parts)
+    for (std::size_t i = 6; i < part.size(); i += 3)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto x = [&](std::size_t corner, std::size_t axis) { return part[corner + axis % 3].get<double>(); };
+        volume += x(0, k) * (x(i - 3, k + 1) * x(i, k + 2) - x(i - 3, k + 2) * x(i, k + 1)) / 6;
+      }
+  return volume;
+}
+
+BOOST_AUTO_TEST_CASE(solids_say_how_they_stand_and_what_bounds_their_overlap)
+{
+  const Temporary_file file("poses.txt", poses);
+  const Json solids = Page(cube + " " + cube + " --pose-b " + in_quotes(file.path())).data["solids"];
+  std::vector<std::string> relations;
+  for (const Json& each : solids)
+    relations.push_back(each["relation"].get<std::string>() + " " + std::to_string(each["dimension"].get<int>()));
+  BOOST_TEST(relations ==
+             (std::vector<std::string>{"overlap 2", "meet 2", "disjoint -1", "disjoint -1", "disjoint -1"}));
+  BOOST_TEST(solids[0]["volume"] == 0.5);
+  BOOST_TEST(bounded_by(solids[0]["parts"]) == 0.5, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST((!solids[0].contains("out") && !solids[1].contains("parts")));
+  // Faces with holes, a body within another, a mirror image and common faces.
+  const Temporary_file moved("moved.txt",
+                             "0.8 -0.6 0 1.25 0.6 0.8 0 0.5 0 0 1 0.25\n0.5 0 0 0.25 0 0.5 0 0.25 0 0 0.5 0.25\n"
+                             "-0.5 0 0 1 0 0.5 0 0 0 0 0.5 0.5\n1 0 0 0 0 1 0 0 0 0 1 0\n");
+  for (const std::string& a : {models + "frame.poly", cube, models + "tetrahedron.poly"})
+    for (const std::string& b : {models + "frame.poly", cube, models + "tetrahedron.poly"}) {
+      int overlaps = 0;
+      for (const Json& each : Page(a + " " + b + " --pose-b " + in_quotes(moved.path())).data["solids"]) {
+        if (!each.contains("parts")) continue;
+        ++overlaps;
+        BOOST_TEST(bounded_by(each["parts"]) == each["volume"].get<double>(), boost::test_tools::tolerance(1e-4));
+      }
+      BOOST_TEST(overlaps > 0, a << " and " << b);
+    }
+  BOOST_TEST(!Page(cube + " " + cube + " --question surface").data.contains("solids"));
+}
+
+BOOST_AUTO_TEST_CASE(a_vector_moves_a_out_of_b)
+{
+  const Temporary_file file("poses.txt", poses);
+  const std::string words = cube + " " + cube + " --pose-b " + in_quotes(file.path());
+  const Json least = Page(words + " --depth").data["solids"];
+  BOOST_TEST(least[0]["out"] == Json::parse(R"({"vector": [-0.5, 0, 0], "bounds": [0.5, 0.5], "exact": true})"));
+  BOOST_TEST((!least[1].contains("out") && !least[2].contains("out")));
+  const Json along = Page(words + " --along 0 -4/2 0").data["solids"];
+  BOOST_TEST(along[0]["out"] == Json::parse(R"({"vector": [0, -1, 0], "first": 0.5, "last": 0.5})"));
+}
+
+BOOST_AUTO_TEST_CASE(bodies_say_where_they_intersect_themselves)
+{
+  const Temporary_file crossing("crossing.off",
+                                "OFF\n6 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 -1\n1 1 1\n9 9 0\n3 0 1 2\n3 3 4 5\n");
+  const Json body = Page(in_quotes(crossing.path())).data["bodies"][0];
+  BOOST_TEST(body["self_pairs"] == 1);
+  BOOST_TEST(body["self"] == Json::parse("[[2, 2, 0, 1, 1, 0]]"));
+  BOOST_TEST(Page(cube).data["bodies"][0]["self_pairs"] == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_lost_pair_of_the_corpus_is_marked)
 {
   const Json data = Page(source + "/verify/corpus/double-false-negative-pose-vertex-edge.case.json").data;
@@ -261,6 +324,12 @@ BOOST_AUTO_TEST_CASE(bad_words_are_refused_and_leave_no_file)
   check_refused("view " + corpus + "double-false-negative-orientation.case.json " + cube + out, "B");
   check_refused("view " + corpus + "double-false-negative-orientation.case.json --kernel fast" + out, "--kernel fast");
   check_refused("view " + cube + " --out /nowhere/page.html", "/nowhere/page.html");
+  check_refused("view " + cube + " --depth" + out, "--depth");
+  check_refused("view " + cube + " " + cube + " --question surface --along 1 0 0" + out, "--along");
+  check_refused("view " + cube + " " + cube + " --depth --along 1 0 0" + out, "--along");
+  check_refused("view " + cube + " " + cube + " --along 0 0 0" + out, "a direction of 0");
+  check_refused("view " + cube + " " + cube + " --along 1 0 east" + out, "'east'");
+  check_refused("view " + corpus + "double-false-negative-orientation.case.json --depth" + out, "--depth");
   const Temporary_file two("two.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 0\n");
   check_refused(
       "view " + cube + " " + cube + " --pose-a " + in_quotes(two.path()) + " --pose-b " + models + "poses.txt" + out,

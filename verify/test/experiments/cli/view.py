@@ -66,7 +66,7 @@ class Browser:
         return self.driver.execute_script("""
           writeFragment();
           return {...JSON.parse(element('state').textContent), fragment: location.hash.slice(1),
-                  verdict: element('verdict').textContent, contacts: element('contacts').textContent};""")
+                  verdict: element('verdict').textContent, relation: element('relation').textContent, contacts: element('contacts').textContent};""")
 
     def work(self, page, steps):
         """The state, and the canvas as a picture, after each step: {name: script}, one after the other in the same page."""
@@ -184,6 +184,43 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     for words in (["--rays", folder / "none.txt"], [models / "cube.off", "--rays", rays]):
         refused = subprocess.run([program, "view", models / "cube.off", *words, "--out", folder / "no.html"], capture_output=True, text=True)
         check(refused.returncode == 2 and refused.stderr.count("\n") == 1 and not (folder / "no.html").exists(), f"{words}: {refused}")
+
+    # Solids: the relation in words, the overlap and the way out drawn, and A moved out along it, by the address and by hand.
+    out = view(folder / "out.html", models / "cube.off", models / "cube.off", "--pose-b", poses, "--depth")
+    overlap = browser.state(out, "pose=0")
+    check(overlap["relation"] == "Relation: overlap; the surfaces share lines. Volume of the overlap: 0.28125. Depth: 0.5, the least.", f"relation: {overlap['relation']}")
+    check({"overlap", "way", "self"} <= set(overlap["show"]), f"shown at first: {overlap['show']}")
+    check(browser.state(out, "pose=1")["relation"] == "Relation: meet; the surfaces share areas.", f"relation: {browser.state(out, 'pose=1')['relation']}")
+    check(browser.state(out, "pose=3")["relation"] == "Relation: disjoint; the surfaces share nothing.", "the relation of bodies apart")
+    done = browser.work(out, {name: f"location.hash = 'pose=0&opacity=0.3&{name}'" for name in ("show=a,b", "show=a,b,overlap", "show=a,b,way", "show=a,b&out=1", "show=a,b&out=0")} |
+                        {"by hand": "element('out').value = 0.5; element('out').dispatchEvent(new Event('input'))"})
+    for layer in ("overlap", "way"):
+        check(done[f"show=a,b,{layer}"]["triangles"] > done["show=a,b"]["triangles"], f"{layer} adds nothing")
+        check(differ(done[f"show=a,b,{layer}"]["picture"], done["show=a,b"]["picture"]) > 300, f"{layer} does not change the picture")
+    check(differ(done["show=a,b&out=1"]["picture"], done["show=a,b"]["picture"]) > 1000, "A does not move out")
+    check(differ(done["show=a,b&out=0"]["picture"], done["show=a,b"]["picture"]) == 0, "A does not move back")
+    check((done["by hand"]["out"], done["show=a,b&out=1"]["out"]) == (0.5, 1), "the control that moves A out")
+    check(hue(browser.picture(out, "pose=0&show=overlap"), "orange") > 500, "the overlap is yellow")
+    arrow = near(browser.picture(out, "pose=0&show=way"), (26, 27, 28))
+    check(100 < arrow < 10000, f"the way out has {arrow} pixels")
+    check(hue(browser.picture(out, "pose=1&show=overlap"), "orange") == 0, "an overlap of bodies that touch")
+    places = []
+    for share in (0, 0.25, 1):
+        browser.open(out, f"pose=0&out={share}")
+        places.append(numpy.array(browser.driver.execute_script("return [...bodies[0].group.matrix.elements].slice(12, 15).map(x => x * world.extent)")))
+    for share, place in zip((0.25, 1), places[1:]):
+        check(numpy.allclose(place - places[0], [-0.5 * share, 0, 0]), f"A stands at {place - places[0]} after {share} of the way")
+    along = view(folder / "along.html", models / "cube.off", models / "cube.off", "--pose-b", poses, "--along", "0", "0", "-2")
+    check(browser.state(along)["relation"].endswith("First exit of A at 0.375, last at 0.375 lengths of the direction."), f"relation: {browser.state(along)['relation']}")
+    check(browser.driver.execute_script("return getComputedStyle(element('out').parentNode).display") != "none", "no control that moves A out")
+    browser.open(pair, "")
+    check(browser.driver.execute_script("return getComputedStyle(element('out').parentNode).display") == "none", "a control that moves nothing")
+    (folder / "crossing.off").write_text("OFF\n6 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 -1\n1 1 1\n9 9 0\n3 0 1 2\n3 3 4 5\n")
+    crossing = view(folder / "crossing.html", folder / "crossing.off")
+    check(browser.state(crossing)["relation"] == "A intersects itself in 1 pair of faces.", f"relation: {browser.state(crossing)['relation']}")
+    done = browser.work(crossing, {name: f"location.hash = 'show={name}&opacity=0.3'" for name in ("a", "a,self")})
+    check(done["a,self"]["triangles"] > done["a"]["triangles"], "self-intersections add nothing")
+    check(differ(done["a,self"]["picture"], done["a"]["picture"]) > 100, "self-intersections do not change the picture")
 
     # What each control is for: by the address, then by hand.
     layers = ("edges", "features", "contacts", "left", "covering", "tetrahedra", "spheres", "hull")

@@ -20,6 +20,7 @@ except ImportError:
     print("skipped: no matplotlib")
     sys.exit(77)
 import figures_motion  # noqa: E402
+import figures_overlap  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 import report_methods  # noqa: E402
 from report_data import share, wilson  # noqa: E402
@@ -160,6 +161,19 @@ def queries():
                              judged=50, wrong=0, **MADE)]))
 
 
+def overlaps():
+    """Rows of boxes that touch, of depths by other libraries and of brackets: name and rows."""
+    return (("touching", [dict(kind=kind, relation=relation, frame="axes", wrong_relations=0, peer=peer, asked=20, collide=collide, **MADE)
+                          for kind, relation, counts in (("faces touch", "meet", (20, 0)), ("half overlap", "overlap", (20, 20)), ("inside", "contains", (0, 20)))
+                          for peer, collide in zip(("FCL OBBRSS", "open"), counts)]),
+            ("penetration_peers", [dict(shape="round", peer="Bullet", pairs=10, apart=1, failed=0, infinite=0, negative=2, off_millionth=4, off_hundredth=3, mean_off=0.25,
+                                        most_off=0.5, ns=1000, exact_ns=2000, **MADE),
+                                   dict(shape="boxes", peer="libccd EPA", pairs=10, apart=10, failed=0, infinite=0, negative=0, off_millionth=0, off_hundredth=0, mean_off="",
+                                        most_off=0, ns=1000, exact_ns=2000, **MADE)]),
+            ("penetration_widths", [dict(triangles=200, place=place, budget=budget, poses=1, mean_ns=ns, exact=0, mean_width=width, **MADE)
+                                    for place, budget, ns, width in (("deep", 0, 1e6, 0.5), ("deep", 100, 4e6, 0.1), ("shallow", 0, 2e6, 1e-16), ("shallow", 100, 3e6, 0))]))
+
+
 def write(path, rows):
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w", newline="", encoding="utf-8") as file:
@@ -189,7 +203,7 @@ def draw(out, with_study=None, with_campaign=None, everything=True):
         write(f"{out}/tables/verify_{name}.csv", rows)
     if everything:
         for name, rows in (("sign_maps", signs()), ("stability", thresholds()), ("compilers", compilers()), ("peers", peers()),
-                           *queries(), *scenes(), ("motion", motion())):
+                           *queries(), *scenes(), *overlaps(), ("motion", motion())):
             write(f"{out}/{name}.csv", [dict(row, again=words_of(name)) for row in rows])
     done = subprocess.run([sys.executable, "-B", os.path.join(SOURCE, "report.py"), out], capture_output=True, text=True)
     if done.returncode:
@@ -235,7 +249,8 @@ class Whole_report(unittest.TestCase):
         figures = re.findall(r'<figure id="([^"]*)">(.*?)</figure>', self.page, re.DOTALL)
         expected = {"speed_against_accuracy", "speed_against_accuracy_cold", "errors_by_distance", "errors_by_parameter", "flips",
                     "thresholds", "sign_maps", "frames_per_second",
-                    "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits", "budget", "demand", "first_contacts"}
+                    "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits", "budget", "demand", "first_contacts",
+                    "depths"}
         self.assertEqual({name for name, _ in figures}, expected)
         self.assertEqual(self.page.count("<svg"), len(figures), "a drawing outside a figure")
         for name, figure in figures:
@@ -299,6 +314,27 @@ class Whole_report(unittest.TestCase):
         missed = [(list(line.get_xdata()), list(line.get_ydata())) for line in axes[1].get_lines()]
         self.assertEqual(missed, [([0, 1], [100, 10]), ([4], [0]), ([2], [20])])
         plt.close(figure)
+
+    def test_what_touches_is_counted_by_who_says_that_it_collides(self):
+        section = re.search('<section id="touching">(.*?)</section>', self.page, re.DOTALL).group(1)
+        self.assertIn("<tr class=\"exact\"><td>faces touch</td><td>axes</td><td>meet, 20 of 20</td><td>20 of 20</td><td>0 of 20</td>", section)
+        self.assertIn("<td>inside</td><td>axes</td><td>contains, 20 of 20</td><td>0 of 20</td><td>20 of 20</td>", section)
+        self.assertIn("All together say of 20 of 40 touching pairs that they collide. Those that tell them apart here: open.", section)
+
+    def test_depths_are_drawn_by_how_far_off_they_are_and_widths_by_their_time(self):
+        rows = {name: [dict((k, str(v)) for k, v in r.items()) for r in some] for name, some in overlaps()}
+        figure, axes = plt.subplots(1, 2)
+        figures_overlap.draw_answers(axes[0], rows["penetration_peers"])
+        shares = [bar.get_width() for bar in axes[0].patches]
+        self.assertEqual([round(x) for x in shares], [30, 10, 30, 20, 0, 0, 10, 0, 0, 0, 0, 0, 0, 100])
+        figures_overlap.draw_widths(axes[1], rows["penetration_widths"])
+        lines = [(list(line.get_xdata()), list(line.get_ydata())) for line in axes[1].get_lines()]
+        exact = figures_overlap.EXACT_WIDTH
+        self.assertEqual(lines, [([1, 4], [0.5, 0.1]), ([2, 3], [1e-16, exact])])
+        plt.close(figure)
+        section = re.search('<section id="depths">(.*?)</section>', self.page, re.DOTALL).group(1)
+        self.assertIn("<td>round</td><td>Bullet</td><td>10</td><td>1</td><td>0</td><td>2</td><td>4</td><td>3</td><td>0.25</td><td>0.5</td><td>1</td><td>2</td>", section)
+        self.assertIn("20 answers of other libraries, and 4 brackets", section)
 
     def test_a_crash_is_told_with_its_last_words(self):
         self.assertIn("<td>mine</td><td>signal 11</td><td>7</td><td><small>out of &lt;memory&gt;</small></td>", self.page)

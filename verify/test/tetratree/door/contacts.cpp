@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/door/contacts.h"
 
+#include "tetracone/tetratree/door/contact_normals.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/self_touching.h"
@@ -95,6 +96,61 @@ BOOST_AUTO_TEST_CASE(cubes_face_on_face_share_a_polygon_and_its_border)
   BOOST_TEST((corners == expected));
   // The polygons of the sides z = 0 and z = 1 meet in a segment: they touch along x = 1.
   BOOST_TEST(count(contacts, Piece::polygon) == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(normals_point_outward_under_every_pose_and_are_enclosed)
+{
+  // A cube that is sheared, stretched and mirrored touches one that is not, with faces of all six directions.
+  Query query{Body(cube), Body(triangulated_cube), Question::surface};
+  const Pose sheared = Pose::from_text({"-2", "1/3", "0", "1", "0", "1/7", "0", "0", "0", "1", "3", "1/2"});
+  for (const Pose& pose : {Pose(), sheared}) {
+    const Contacts contacts = query.contacts(Pose(), pose);
+    BOOST_TEST(!contacts.empty());
+    const auto placed = [&](const std::array<double, 3>& x) {
+      std::array<double, 3> image{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        image[i] = pose.rows()[4 * i + 3];
+        for (std::size_t k = 0; k < 3; ++k) image[i] += pose.rows()[4 * i + k] * x[k];
+      }
+      return image;
+    };
+    const std::array<double, 3> inner = placed({0.5, 0.5, 0.5});
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const auto normals = contact_normals(contacts, k);
+      const Polyhedron& b = triangulated_cube;
+      const covering::Loop loop = b.loop(contacts[k].face_b, 0);
+      std::array<std::array<double, 3>, 3> corner;
+      for (std::size_t j = 0; j < 3; ++j) corner[j] = placed(b.vertices[loop[j]]);
+      double length = 0, outward = 0;
+      std::array<double, 2> along{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        BOOST_TEST(normals[1].lower[i] <= normals[1].upper[i]);
+        BOOST_TEST(normals[1].upper[i] <= std::nextafter(normals[1].lower[i], 2));
+        const double x = normals[1].lower[i];
+        length += x * x;
+        outward += x * (corner[0][i] - inner[i]);
+        for (std::size_t j : {0, 1}) along[j] += x * (corner[j + 1][i] - corner[0][i]);
+      }
+      BOOST_TEST(length == 1, boost::test_tools::tolerance(1e-14));
+      BOOST_TEST(outward > 0.01);
+      for (const double x : along) BOOST_TEST(std::abs(x) < 1e-14);
+      // The cube of A is not moved: one coordinate of its normals is 1 or -1.
+      BOOST_TEST((normals[0].lower == normals[0].upper));
+      BOOST_TEST((std::ranges::count(normals[0].lower, 0) == 2));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_face_without_area_has_no_normal)
+{
+  Polyhedron needle;
+  needle.vertices = {{0, 0, 0.5}, {0.5, 0.5, 0.5}, {2, 2, 0.5}};
+  needle.add_polygon({0, 1, 2});
+  Query query{Body(cube), Body(needle), Question::surface};
+  const Contacts contacts = query.contacts(Pose(), Pose());
+  BOOST_TEST_REQUIRE(!contacts.empty());
+  BOOST_TEST((contact_normals(contacts, 0)[1].lower == std::array<double, 3>{0, 0, 0}));
+  BOOST_TEST((contact_normals(contacts, 0)[1].upper == std::array<double, 3>{0, 0, 0}));
 }
 
 BOOST_AUTO_TEST_CASE(places_are_exact_enclosed_and_nearest)

@@ -109,6 +109,73 @@ class Answers(Case):
         self.assertEqual(rays.tolist(), sorted(rays.tolist()))
         self.assertEqual(len(set(rays.tolist())), 4)
 
+    def test_rays_end_and_go_through_faces_as_the_program_says(self):
+        cube = Body(*CUBE)
+        origins, directions = np.array([[-1, 0.5, 0.25], [0.5, 0.5, 0.25], [5, 5, 5], [-1, 0, 0.25]]), np.array([[3, 0, 0], [0, 0, 1], [1, 0, 0], [1, 0, 0]])
+        with tempfile.TemporaryDirectory() as folder:
+            names = [os.path.join(folder, name) for name in ("a.off", "rays.txt")]
+            rows = np.hstack([origins, directions])
+            for name, text in zip(names, (off_of(cube), "".join(" ".join(repr(float(x)) for x in row) + "\n" for row in rows))):
+                with open(name, "w") as file:
+                    file.write(text)
+            for end in (0.5, 0.75, 1.0):
+                said = self.program("ray", *names, "--end", end, "--sides", "--normals").stdout.splitlines()
+                faces, t = cube.first_hit(origins, directions, end)
+                sides, normals = cube.crossings(origins, directions, faces), cube.normals(faces)
+                self.assertEqual([line.split()[:1] + line.split()[2:3] for line in said], [["-"] if f < 0 else [str(f), s] for f, s in zip(faces, sides)])
+                self.assertEqual([[float(x) for x in line.split()[3:]] for line in said], [[] if f < 0 else n.tolist() for f, n in zip(faces, normals)])
+                self.assertEqual(self.program("ray", *names, "--end", end, "--any").stdout.split(), [str(int(x)) for x in cube.is_hit(origins, directions, end)])
+        self.assertEqual(cube.is_hit(origins, directions).tolist(), [True, True, False, True])
+        third = cube.first_hit(origins[0], directions[0])[1]
+        below = np.nextafter(third, 0)
+        self.assertEqual(cube.is_hit(origins[0], directions[0], [third, below, 1, -1, np.inf, -np.inf]).tolist(), [False, False, True, False, True, False])
+        self.assertEqual(cube.first_hit(origins[0], directions[0], below), (-1, np.inf))
+        self.assertEqual(cube.hits(origins[0], directions[0], [0.5, 1])[0].tolist(), [0, 1, 1])
+        self.assertIs(type(cube.is_hit(origins[0], directions[0], 1)), bool)
+        rays, faces, _ = cube.hits(origins, directions)
+        self.assertEqual(cube.crossings(origins[rays], directions[rays], faces)[:2].tolist(), ["entering", "leaving"])
+        self.assertEqual(set(cube.crossings(origins[rays], directions[rays], faces)), {"entering", "leaving", "along"})
+        self.assertEqual((cube.crossings([0, 0, 0], [1, 0, 0], 0), cube.crossings([0, 0, 0], [1, 0, 0], -1)), ("entering", ""))
+        self.assertEqual(cube.normals(1).tolist(), [1, 0, 0])
+        self.assertTrue(np.isnan(cube.normals([-1])).all())
+        self.assertEqual((cube.normals([]).shape, cube.crossings([0, 0, 0], [1, 0, 0], []).shape), ((0, 3), (0,)))
+
+    def test_zones_and_pairs_within_a_distance(self):
+        cube = Body(*CUBE)
+        query = Query(cube, cube)
+        poses = translations([1.25, 0, 0], [3, 0, 0], [0.5, 0.5, 0.5])
+        # The face x = 1 is near the moved cube; so are those that share its edges.
+        self.assertEqual([z.tolist() for z in query.zone("1/4", poses)], [[1, 2, 3, 4, 5], [], [1, 3, 5]])
+        self.assertEqual(query.zone(0.2499, poses[0]).tolist(), [])
+        self.assertEqual(query.zone(Fraction(1, 4), None, poses_a=poses[0]).tolist(), [0, 2, 3, 4, 5])
+        self.assertEqual(query.zone(-1, poses[2]).dtype, np.uint32)
+        for limit in (0, Fraction(1, 4), 2):
+            self.assertEqual([len(z) > 0 for z in query.zone(limit, poses)], query.within(limit, poses).tolist())
+        scene = tetracone.Scene([cube] * 3)
+        scene.frame(translations([0, 0, 0], [1.25, 0, 0], [3, 0, 0]))
+        for limit, pairs, distances in ((Fraction(1, 4), [[0, 1]], [0.25]), ("3/4", [[0, 1], [1, 2]], [0.25, 0.75]), (-1, [], []), (0.2, [], [])):
+            found = scene.pairs_within(limit)
+            self.assertEqual((found[0].tolist(), found[1].tolist()), (pairs, distances))
+            self.assertEqual(found[0].shape, (len(pairs), 2))
+        with self.assertRaises(Error):
+            scene.pairs_within("far")
+        with self.assertRaises(Error):
+            query.zone(float("nan"), poses)
+
+    def test_contacts_tell_normals_of_placed_faces(self):
+        cube = Body(*CUBE)
+        turned = [["3/5", "-4/5", 0, 1], ["4/5", "3/5", 0, 0], [0, 0, -1, 1]]  # a mirror image
+        found = Query(cube, cube).contacts(turned)
+        normals = found.normals()
+        self.assertEqual(normals.shape, (len(found), 2, 2, 3))
+        of_model = np.array([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, -1], [0, 0, 1]])
+        matrix = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, -1]])
+        self.assertTrue((normals[:, 0] == of_model[found.faces[:, 0]][:, None]).all())
+        exact = of_model[found.faces[:, 1]] @ matrix.T
+        self.assertTrue((normals[:, 1, 0] <= exact).all() and (exact <= normals[:, 1, 1]).all())
+        self.assertTrue((normals[:, 1, 1] <= np.nextafter(normals[:, 1, 0], 2)).all())
+        self.assertEqual(Query(cube, cube).contacts(translations([3, 0, 0])[0]).normals().shape, (0, 2, 2, 3))
+
     def test_relations(self):
         query = Query(Body(*CUBE), Body(*CUBE))
         poses = translations([0.25, 0.25, 0.25], [0.25, 0.25, 0.25], [1, 1, 1], [2, 0, 0])
@@ -174,7 +241,7 @@ class Answers(Case):
         for name in ("collide", "relation", "solid_relation", "overlap", "distance", "features", "contacts"):
             with self.assertRaisesRegex(TypeError, rf"^query: poses of both .*; expected {name}\(poses_a=..., poses_b=...\)$"):
                 getattr(query, name)(small, IDENTITY)
-        for name, first in (("within", "limit"), ("exits", "direction")):
+        for name, first in (("within", "limit"), ("zone", "limit"), ("exits", "direction")):
             with self.assertRaisesRegex(TypeError, rf"expected {name}\({first}, poses_a=..., poses_b=...\)$"):
                 getattr(query, name)(1, small, IDENTITY)
         with self.assertRaisesRegex(TypeError, r"expected first_contact\(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...\)$"):
@@ -403,7 +470,14 @@ class Errors(Case):
         self.error("points: an array of shape (2, 2); expected (n, 3), or one point (3,)", cube.inside, np.zeros((2, 2)))
         self.error("points[1]: y is nan; expected a finite number", cube.inside, [[0, 0, 0], [0, np.nan, 0]])
         self.error("points: z is 'top'; expected a finite decimal number or a fraction n/d", cube.inside, ["0", "0", "top"])
-        for ask in (cube.first_hit, cube.hits):
+        self.error("faces[1]: face 6 of 6; expected a face's number", cube.normals, [0, 6])
+        for face in (-2, 0.5, np.nan, 2**40):
+            self.error(f"faces: {face}; expected a face's number, or -1 for no face", cube.crossings, [0, 0, 0], [1, 0, 0], face)
+        self.error("faces: an array of shape (1, 2); expected (n,), or one number", cube.normals, [[0, 1]])
+        self.error("rays: 2 of them, and 3 numbers for them; expected as many, or one of either", cube.first_hit, np.zeros((2, 3)), [1, 0, 0], [1, 2, 3])
+        self.error("end: numbers that are no doubles; expected doubles", cube.is_hit, [0, 0, 0], [1, 0, 0], "1/3")
+        for ask in (cube.first_hit, cube.hits, cube.is_hit):
+            self.error("ray: the end is nan; expected a number", ask, [0, 0, 0], [1, 0, 0], np.nan)
             self.error("rays[1]: the direction is 0; expected one of any other length", ask, [0, 0, 0], [[1, 0, 0], [0, 0, 0]])
             self.error("ray: number 2 of 6 is nan; expected a finite number", ask, [0, np.nan, 0], [1, 0, 0])
             self.error("rays: 2 origins and 3 directions; expected as many, or one of either", ask, np.zeros((2, 3)), np.ones((3, 3)))

@@ -1,0 +1,24 @@
+#ifndef TETRACONE_EXPERIMENTS_QUERIES_JUDGED_DEPTHS_H
+#define TETRACONE_EXPERIMENTS_QUERIES_JUDGED_DEPTHS_H
+
+#include <cstdint>
+#include <string>
+
+namespace tetracone::experiments {
+
+/// Returns how far the depths of other libraries are from the exact one, for convex pairs whose interiors meet: a row
+/// per shape and peer. A row counts the pairs, and of these the answers that are
+///
+/// - `apart`: the peer says that the bodies are apart;
+/// - `failed`: it threw;
+/// - `infinite`: no finite number;
+/// - `negative`: at most 0;
+/// - `off_millionth`, `off_hundredth`: off by more than this part of the depth, of those above 0.
+///
+/// `mean_off` and `most_off` are of those above 0, as a part of the depth. `ns` is the peer's mean time, and `exact_ns`
+/// ours. Each shape has `pairs` pairs: boxes turned, boxes in one frame, and hulls of 100 points of a sphere.
+std::string judged_depths(int pairs, std::uint64_t seed);
+
+}  // namespace tetracone::experiments
+
+#endif
