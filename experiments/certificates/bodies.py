@@ -39,6 +39,7 @@ class Body:
         if "vertices" in entry:
             vertices, self.faces = [vector(v, given) for v in entry["vertices"]], entry["faces"]
         else:
+            need_form(isinstance(entry["file"], str), "a file has no name")
             need_form(path is not None, "the certificate names a model file; expected it behind the certificate")
             vertices, self.faces, digest = read_model(path)
             need(digest == entry["sha256"], f"{path} is not the file that the certificate is about")

@@ -63,8 +63,9 @@ def spoiled_proofs(certificate):
     """What proves nothing, whatever the answer is."""
     for way in places(certificate):
         key, value = way[-1], at(certificate, way)
-        is_needless = key == "cut" and "groups" not in at(certificate, way[:-1])  # no cover opens the groups of its triangles
-        if isinstance(key, str) and not is_needless:  # all keys that are written are needed
+        # All keys that are written are needed, but the triangles of groups that no cover opens, and the end of a ray behind its hit.
+        is_needless = key == "end" or key == "cut" and "groups" not in at(certificate, way[:-1])
+        if isinstance(key, str) and not is_needless:
             without = copy.deepcopy(certificate)
             del at(without, way[:-1])[key]
             yield f"{way} is missing", without
