@@ -15,8 +15,9 @@ import sys
 from fractions import Fraction
 from math import lcm
 
-from geometry import cross, crossing, dot, edges, is_planar, loops_hold, minus, times
-from reading import Bad, Object, Refused, exact, given, index, need, need_form, need_given, need_keys, read_bytes, read_model, vector
+from bodies import Body, Placed, on_one_scale, shapes
+from geometry import cross, crossing, dot, minus, times
+from reading import Bad, Object, Refused, exact, given, index, need, need_form, need_given, need_keys, read_bytes, vector
 
 
 def direction(texts):
@@ -24,123 +25,6 @@ def direction(texts):
     v = vector(texts)
     need(any(v), "a direction is 0")
     return times(v, lcm(*(x.denominator for x in v)))
-
-
-# Bodies
-
-
-class Group:
-    """Pieces of a body, by their numbers. `members` are smaller groups that together have all of them."""
-
-    def __init__(self, pieces, corners, least_face, members=None):
-        self.pieces, self.corners, self.least_face, self.members = pieces, corners, least_face, members
-
-
-def balance(sides):
-    """Directed edges that are not there as often as their reverses."""
-    count = {}
-    for p, q in sides:
-        count[p, q] = count.get((p, q), 0) + 1
-        count[q, p] = count.get((q, p), 0) - 1
-    return {side: n for side, n in count.items() if n and side[0] != side[1]}
-
-
-class Body:
-    def __init__(self, entry, path):
-        need_keys(entry, "vertices faces cut groups" if "vertices" in entry else "file sha256 cut groups")
-        if "vertices" in entry:
-            vertices, self.faces = [vector(v, given) for v in entry["vertices"]], entry["faces"]
-        else:
-            need_form(path is not None, "the certificate names a model file; expected it behind the certificate")
-            vertices, self.faces, digest = read_model(path)
-            need(digest == entry["sha256"], f"{path} is not the file that the certificate is about")
-        need_form(self.faces and all(loops and all(loops) for loops in self.faces), "a body has no face, or a face has no corner")
-        for loop in (loop for loops in self.faces for loop in loops):
-            for v in loop:
-                index(v, vertices, "vertex")
-        self.scale = lcm(*(x.denominator for v in vertices for x in v))
-        self.at = [times(v, self.scale) for v in vertices]
-        self.cut_into_pieces(entry.get("cut", []))
-        corners = {v for _, loops in self.pieces for loop in loops for v in loop}
-        self.root = self.group(entry["groups"]) if "groups" in entry else Group(set(range(len(self.pieces))), corners, 0)
-        need(len(self.root.pieces) == len(self.pieces), "a piece is in no group")
-        self.find_shells()
-        self.is_closed = not balance(side for loops in self.faces for side in edges(loops))
-
-    def cut_into_pieces(self, cut):
-        """Pieces are pairs of a face and loops. `is_flat` tells whether a face is what its loops say."""
-        triangles = {}
-        for face, *corners in cut:
-            need_form(len(corners) == 3, "a row of a cut has not four numbers")
-            triangles.setdefault(index(face, self.faces, "face"), []).append([index(v, self.at, "vertex") for v in corners])
-        self.pieces, self.is_flat = [], [is_planar(loops, self.at) for loops in self.faces]
-        for f, loops in enumerate(self.faces):
-            parts = triangles.get(f)
-            self.pieces += [(f, [triangle]) for triangle in parts] if parts else [(f, loops)]
-            need(parts or self.is_flat[f], f"face {f} is neither planar nor cut")
-            need(not parts or balance(edges(loops)) == balance(edges(parts)), f"the triangles of face {f} have another boundary")
-            need(not parts or {frozenset(e) for e in edges(loops)} <= {frozenset(e) for e in edges(parts)}, f"face {f} has an edge without a triangle")
-
-    def group(self, entry):
-        if not isinstance(entry, list):
-            f, loops = self.pieces[index(entry, self.pieces, "piece")]
-            return Group({entry}, {v for loop in loops for v in loop}, f)
-        need_form(entry, "a group is empty")
-        members = [self.group(member) for member in entry]
-        pieces, corners = (set().union(*(getattr(member, name) for member in members)) for name in ("pieces", "corners"))
-        return Group(pieces, corners, min(member.least_face for member in members), members)
-
-    def find_shells(self):
-        """`shell` names for each vertex of a face its shell: loops with a common vertex are of one shell."""
-        name = {v: v for loops in self.faces for loop in loops for v in loop}
-
-        def root(v):
-            while name[v] != v:
-                name[v] = v = name[name[v]]
-            return v
-
-        for p, q in (side for loops in self.faces for side in edges(loops)):
-            name[root(p)] = root(q)
-        self.shell = {v: root(v) for v in name}
-
-
-class Placed:
-    """The corners of a placed body times `scale`, and the extent of its groups along directions."""
-
-    def __init__(self, body, pose=None):
-        self.body, self.at, self.scale, self.known = body, body.at, body.scale, {}
-        if pose:
-            factor = lcm(*(x.denominator for x in pose))
-            rows = [times(pose[k:k + 3], factor) for k in (0, 4, 8)]
-            need_form(dot(cross(rows[0], rows[1]), rows[2]) != 0, "a pose is flat")
-            shift = times(pose[3::4], factor * body.scale)
-            self.at = [tuple(dot(rows[i], v) + shift[i] for i in range(3)) for v in body.at]
-            self.scale = factor * body.scale
-
-    def extent(self, group, m):
-        """The least and the largest m . x over the corners of the group."""
-        key = id(group), m
-        if key not in self.known:
-            products = [m[0] * x + m[1] * y + m[2] * z for x, y, z in map(self.at.__getitem__, group.corners)]
-            self.known[key] = min(products), max(products)
-        return self.known[key]
-
-    def holds(self, f, x):
-        """Face f holds the point x, of fractions."""
-        loops = self.body.faces[index(f, self.body.faces, "face")]
-        shapes = [loops] if self.body.is_flat[f] else [piece for face, piece in self.body.pieces if face == f]
-        scale = lcm(self.scale, *(c.denominator for c in x))
-        at = {v: times(self.at[v], scale // self.scale) for loop in loops for v in loop}
-        return any(loops_hold(shape, at, times(x, scale)) for shape in shapes)
-
-
-def on_one_scale(*placed, points=()):
-    scale = lcm(*(p.scale for p in placed), *(x.denominator for point in points for x in point))
-    for p in placed:
-        if p.scale != scale:
-            p.at = [times(v, scale // p.scale) for v in p.at]
-            p.scale, p.known = scale, {}
-    return scale
 
 
 # Covers
@@ -205,6 +89,39 @@ def prove_winding(entry, x, body):
     return entry["winding"]
 
 
+def prove_free(entry, body, o, d, t, may_touch):
+    """No piece meets o + s d for s >= 0, or up to t where it is not None. Groups that may touch are met at t at the earliest."""
+    scale = on_one_scale(body, points=[o, d])
+    origin, way = times(o, scale), times(d, scale)
+
+    def apart(m, _, group, __):
+        height, slope = body.extent(group, m)[0] - dot(m, origin), dot(m, way)
+        left = -slope if t is None else height * t.denominator - slope * t.numerator
+        need(height > 0 and (left > 0 or left == 0 and (t is None or may_touch(group))), "the ray is not apart from a group")
+
+    def touched(group):
+        need(t == 0 and may_touch(group), "a group is not touched first")
+
+    prove_cover(entry, None, body.body.root, apart, touched=touched)
+
+
+def prove_moving(entry, start, end, last, is_open):
+    """Bodies whose corners move on lines share no point from time 0 to the last; at the last itself they may where that is open."""
+    on_one_scale(*start, *end)
+
+    def products(m, k, group, time):
+        """m . x over the corners at that time, times its denominator."""
+        n, d = time.numerator, time.denominator
+        return [(d - n) * dot(m, start[k].at[v]) + n * dot(m, end[k].at[v]) for v in group.corners]
+
+    def apart(m, of_a, of_b, span):
+        for time in span:
+            gap = min(products(m, 1, of_b, time)) - max(products(m, 0, of_a, time))
+            need(gap > 0 or gap == 0 and is_open and time == last, "two groups are not apart all the time")
+
+    prove_cover(entry, start[0].body.root, start[1].body.root, apart, span=(Fraction(0), last))
+
+
 def prove_windings(entry, placed):
     """Triples: the body and its vertex, or None and a point; the body that it is in; the winding number."""
     found = []
@@ -250,7 +167,7 @@ def prove_witness(entry, placed):
 def pair(answer, bodies, names=("pose_a", "pose_b")):
     """The placed bodies, and whether the question is about solids."""
     need_form(len(bodies) == 2, "there are not two bodies")
-    question = answer["question"] if answer["ask"] != "relation" else "solid"
+    question = answer["question"] if answer["ask"] not in ("relation", "exit", "depth") else "solid"
     need_form(question in ("solid", "surface"), "there is no such question")
     need(question == "surface" or all(body.is_closed for body in bodies), "a body is not closed, and has no solid")
     placed = [Placed(body, vector(answer[name], given, 12)) for body, name in zip(bodies, names)]
@@ -333,48 +250,136 @@ def prove_ray(answer, bodies):
         need(body.holds(first, [o[k] + t * d[k] for k in range(3)]), "the face does not hold the hit")
     elif end is not None and end < 0:
         return
-    scale = on_one_scale(body, points=[o, d])
-    origin, way = times(o, scale), times(d, scale)
+    prove_free(answer, body, o, d, t, lambda group: hit is not None and group.least_face >= first)
 
-    def comes_after(group):
-        return hit is not None and group.least_face >= first
 
-    def apart(m, _, group, __):
-        height, slope = body.extent(group, m)[0] - dot(m, origin), dot(m, way)
-        left = -slope if t is None else height * t.denominator - slope * t.numerator
-        need(height > 0 and (left > 0 or left == 0 and (t is None or comes_after(group))), "the ray is not apart from a group")
+def points_in(found):
+    """For each point whether it is inside of A, and of B: pairs of True, False, or None where nothing is said."""
+    sides = {}
+    for (body, x), holder, winding in found:
+        if body is None:
+            sides.setdefault(x, [None, None])[holder] = winding != 0
+    return sides.values()
 
-    def touched(group):
-        need(t == 0 and comes_after(group), "a group is not touched first")
 
-    prove_cover(answer, None, body.body.root, apart, touched=touched)
+def placed_at(answer, bodies, shift=None):
+    """Both bodies at their poses, A moved by a vector."""
+    poses = [vector(answer[name], given, 12) for name in ("pose_a", "pose_b")]
+    if shift:
+        poses[0] = [x + shift[k // 4] if k % 4 == 3 else x for k, x in enumerate(poses[0])]
+    return [Placed(body, pose) for body, pose in zip(bodies, poses)]
+
+
+def prove_way(row, placed, inside=None):
+    """A body comes on lines to its pose. Before, the surfaces share no point, and the solids none, or body `inside` is inside of the other one."""
+    need_keys(row, "of pose directions cover windings")
+    need_form(row["of"] in ("a", "b"), "there is no such body")
+    k, start = "ab".index(row["of"]), list(placed)
+    start[k] = Placed(placed[k].body, vector(row["pose"], given, 12))
+    prove_moving(row, start, placed, Fraction(1), True)
+    found = prove_windings(row, start)
+    for body in range(2):
+        need_each_shell(found, start, body, inside == body)
+    return row["of"]
+
+
+def prove_parted(answer, placed):
+    """The interiors share no point."""
+    if "plane" in answer:
+        on_one_scale(*placed)
+        m, (a, b) = direction(answer["plane"]), placed
+        need(a.extent(a.body.root, m)[1] <= b.extent(b.body.root, m)[0], "the plane does not separate")
+    else:
+        prove_way(answer["way"], placed)
+
+
+def prove_approach(entry, placed, k, x):
+    """From a point to x no point of the surface of body k is met, but perhaps x. Returns the point, and its winding number in body k."""
+    need_keys(entry, "winding directions cover")
+    ((body, y), holder, winding), = prove_windings({"windings": [entry["winding"]]}, placed)
+    need(body is None and holder == k, "the point is not about this body")
+    prove_free(entry, placed[k], y, minus(x, y), Fraction(1), lambda group: True)
+    return y, winding
+
+
+def prove_border(entry, placed, inner):
+    """A point of the inner body is not in the interior of the other one: points outside of that lead up to it."""
+    need_keys(entry, "face point outside")
+    x = vector(entry["point"])
+    need(placed[inner].holds(entry["face"], x), "the face does not hold its point")
+    need(prove_approach(entry["outside"], placed, 1 - inner, x)[1] == 0, "the segment does not begin outside")
+
+
+def prove_just_before(entry, placed, along):
+    """Whenever A has a little way to go along the direction, the interiors share a point. Points inside of both bodies lead up to a
+    point: those of B against the direction, or those of A along it. When A is moved back, points of the one are within the other."""
+    need_keys(entry, "point in_a in_b")
+    x = vector(entry["point"])
+    (in_a, of_a), (in_b, of_b) = (prove_approach(entry[key], placed, k, x) for k, key in enumerate(("in_a", "in_b")))
+    need(of_a != 0 and of_b != 0, "a segment does not begin inside")
+    ways = minus(in_a, x), minus(x, in_b)
+    need(any(dot(v, along) > 0 and not any(cross(v, along)) for v in ways), "no segment is along the direction")
 
 
 def prove_relation(answer, bodies):
     placed, _ = pair(answer, bodies)
     said = answer["answer"]
-    need_form(said in ("disjoint", "inside", "contains", "overlap", "meet"), "there is no such answer")
+    need_form(said in ("disjoint", "meet", "overlap", "equal", "inside", "contains", "covered_by", "covers"), "there is no such answer")
     found = prove_windings(answer, placed)
-    if said == "meet":
-        need(prove_witness(answer["witness"], placed) == 0, "the points are not one")
-        m, (a, b) = direction(answer["plane"]), placed
-        need(a.extent(a.body.root, m)[1] <= b.extent(b.body.root, m)[0], "the plane does not separate")
-    elif said == "overlap":
-        sides = {}
-        for (_, x), holder, winding in found:
-            sides.setdefault(x, [None, None])[holder] = winding != 0
-        need(all(side in sides.values() for side in ([True, True], [True, False], [False, True])), "a part of an overlap has no point")
-    else:
+    if said in ("disjoint", "inside", "contains"):
         prove_gap(answer, *placed)
         need_each_shell(found, placed, 0, said == "inside")
         need_each_shell(found, placed, 1, said == "contains")
+    elif said == "equal" and "ways" in answer:
+        need_form(len(answer["ways"]) == 2, "there are not two ways")
+        for inside, row in enumerate(answer["ways"]):
+            prove_way(row, placed, inside)
+    elif said == "equal":
+        need(shapes(placed[0]) == shapes(placed[1]), "the faces are not the same")
+    elif said == "meet":
+        need(prove_witness(answer["witness"], placed) == 0, "the points are not one")
+        prove_parted(answer, placed)
+    elif said in ("covered_by", "covers"):
+        inner = 0 if said == "covered_by" else 1
+        prove_way(answer["way"], placed, inner)
+        prove_border(answer["border"], placed, inner)
+    parts = {"meet": ["a", "b"], "overlap": ["ab", "a", "b"], "covered_by": ["b"], "covers": ["a"]}.get(said, [])
+    need(all([k in part for k in "ab"] in points_in(found) for part in parts), "a part of the solids has no point")
+
+
+def prove_exit(answer, bodies):
+    pair(answer, bodies)
+    along = vector(answer["direction"], given)
+    first, last = vector(answer["answer"], exact, 2)
+    need_form(any(along) and 0 <= first <= last, "the exits are not in order, or the direction is 0")
+    prove_parted(answer, placed_at(answer, bodies, [first * x for x in along]))
+    gone = answer["gone"]
+    need_keys(gone, "until directions cover windings")
+    until = exact(gone["until"])
+    need(until > 0, "the bodies do not part for ever")
+    ends = [placed_at(answer, bodies, [s * x for x in along]) for s in (last + until, last)]
+    prove_moving(gone, *ends, Fraction(1), True)
+    found = prove_windings(gone, ends[0])
+    for body in range(2):
+        need_each_shell(found, ends[0], body, False)
+    m, (a, b) = direction([str(x) for x in along]), ends[0]
+    need(b.extent(b.body.root, m)[1] <= a.extent(a.body.root, m)[0], "the bodies do not part for ever")
+    need_form(len(answer["before"]) == (2 if first else 0), "there are not two points")
+    for s, row in zip((first, last), answer["before"]):
+        prove_just_before(row, placed_at(answer, bodies, [s * x for x in along]), along)
+
+
+def prove_depth(answer, bodies):
+    pair(answer, bodies)
+    v = vector(answer["vector"])
+    need(dot(v, v) == exact(answer["answer"]), "the translation has another length")
+    prove_parted(answer, placed_at(answer, bodies, v))
 
 
 def prove_motion(answer, bodies):
     start, solid = pair(answer, bodies, ("from_a", "from_b"))
     poses = [vector(answer[name], given, 12) for name in ("from_a", "to_a", "from_b", "to_b")]
     end = [Placed(body, pose) for body, pose in zip(bodies, poses[1::2])]
-    on_one_scale(*start, *end)
     lo, hi = (Fraction(1), None) if answer["answer"] is None else vector(answer["answer"], given, 2)
     need_form(0 <= lo <= 1 and (hi is None or lo <= hi <= 1), "the times are not in order")
     if "witness" in answer:
@@ -388,17 +393,7 @@ def prove_motion(answer, bodies):
     if hi == 0:
         return
 
-    def products(m, k, group, time):
-        """m . x over the corners at that time, times its denominator."""
-        n, d = time.numerator, time.denominator
-        return [(d - n) * dot(m, start[k].at[v]) + n * dot(m, end[k].at[v]) for v in group.corners]
-
-    def apart(m, of_a, of_b, span):
-        for time in span:
-            gap = min(products(m, 1, of_b, time)) - max(products(m, 0, of_a, time))
-            need(gap > 0 or gap == 0 and time == lo == hi, "two groups are not apart all the time")
-
-    prove_cover(answer, bodies[0].root, bodies[1].root, apart, span=(Fraction(0), lo))
+    prove_moving(answer, start, end, lo, lo == hi)
     found = prove_windings(answer, start)
     for k in range(2) if solid else ():
         need_each_shell(found, start, k, False)
@@ -408,7 +403,9 @@ PLACED = "ask answer question pose_a pose_b witness windings directions cover"
 QUESTIONS = {"collide": (prove_collide, PLACED), "distance": (prove_distance, PLACED), "within": (prove_within, PLACED + " limit"),
              "inside": (prove_inside, "ask answer point face ray winding directions cover"),
              "ray": (prove_ray, "ask answer origin direction end directions cover"),
-             "relation": (prove_relation, "ask answer pose_a pose_b witness plane windings directions cover"),
+             "relation": (prove_relation, "ask answer pose_a pose_b witness plane way ways border windings directions cover"),
+             "exit": (prove_exit, "ask answer pose_a pose_b direction plane way gone before"),
+             "depth": (prove_depth, "ask answer pose_a pose_b vector plane way"),
              "motion": (prove_motion, "ask answer question from_a to_a from_b to_b witness windings directions cover")}
 
 

@@ -14,8 +14,8 @@ from check import BAD, prove
 from reading import Refused
 
 ANSWERS = {"collide": ["apart", "surfaces", "a_in_b", "b_in_a"], "within": [0, 1], "inside": [-1, 0, 1],
-           "relation": ["disjoint", "inside", "contains", "overlap", "meet"]}
-PROOF = ("witness", "windings", "directions", "cover", "ray", "winding", "face", "plane")
+           "relation": ["disjoint", "meet", "overlap", "equal", "inside", "contains", "covered_by", "covers"]}
+PROOF = ("witness", "windings", "directions", "cover", "ray", "winding", "face", "plane", "way", "ways", "border", "gone", "before")
 
 
 def places(entry, way=()):
@@ -63,7 +63,9 @@ def spoiled_proofs(certificate):
     """What proves nothing, whatever the answer is."""
     for way in places(certificate):
         key, value = way[-1], at(certificate, way)
-        if isinstance(key, str):  # all keys that are written are needed, but groups that no cover opens
+        # All keys that are written are needed, but the triangles of groups that no cover opens, and the end of a ray behind its hit.
+        is_needless = key == "end" or key == "cut" and "groups" not in at(certificate, way[:-1])
+        if isinstance(key, str) and not is_needless:
             without = copy.deepcopy(certificate)
             del at(without, way[:-1])[key]
             yield f"{way} is missing", without
@@ -92,8 +94,8 @@ def false_claims(certificate):
         for other in ANSWERS.get(answer["ask"], ()):
             if other != answer["answer"]:
                 yield from with_changes(f"answer {k} is {other}", changed(certificate, ("answers", k, "answer"), other), k)
-        if answer["ask"] in ("distance", "motion", "ray"):
-            for value in other_claims(answer["answer"]):
+        if answer["ask"] in ("distance", "motion", "ray", "exit", "depth"):
+            for value in (other_exits if answer["ask"] == "exit" else other_claims)(answer["answer"]):
                 yield from with_changes(f"answer {k} is {value}", changed(certificate, ("answers", k, "answer"), value), k)
         for donor in answers:
             if donor["ask"] == answer["ask"] and donor["answer"] != answer["answer"]:
@@ -110,6 +112,11 @@ def other_claims(answer):
     if isinstance(answer, list):
         return [None, ["0", "0"], [answer[0], answer[0]]] if answer[0] != answer[1] else [None]
     return [None, {"face": answer["face"] + 1, "t": answer["t"]}, *({"face": answer["face"], "t": t} for t in other_values(answer["t"]) if t != answer["t"])]
+
+
+def other_exits(answer):
+    first, last = answer
+    return [x for x in ([None], *([x, last] for x in other_values(first)), *([first, x] for x in other_values(last))) if x != answer]
 
 
 def with_changes(name, certificate, k):

@@ -42,10 +42,11 @@ void require_other_file(const std::string& certificate, const std::string& csv)
     throw CLI::ValidationError("--certificate", "expected another file than --csv");
 }
 
-void write_certificate(const std::string& file, const Certificate& certificate, std::size_t without_proof)
+void write_certificate(const std::string& file, const Certificate& certificate)
 {
   write_whole(file, certificate.text());
-  if (without_proof > 0) std::cerr << file << ": " << without_proof << " answers have no proof and are left out\n";
+  if (certificate.without_proof() > 0)
+    std::cerr << file << ": " << certificate.without_proof() << " answers have no proof and are left out\n";
 }
 
 Certificate certificate_of(const Model_file& model)

@@ -20,7 +20,7 @@ void add_certificate_option(CLI::App& command, std::string& file);
 void require_other_file(const std::string& certificate, const std::string& csv);
 
 /// Writes the certificate. A line on stderr says how many answers have no proof, if some have none.
-void write_certificate(const std::string& file, const Certificate& certificate, std::size_t without_proof = 0);
+void write_certificate(const std::string& file, const Certificate& certificate);
 
 /// Returns an empty certificate about the model, or about both. A model that stands as in its file, of a format that
 /// experiments/certificates/check.py reads, is named by its hash; another one is written into the certificate.

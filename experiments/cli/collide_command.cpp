@@ -103,10 +103,8 @@ Answers ask(Query& query, const Pose_pairs& poses, int passes, bool relation = f
 std::string certificate(Query& query, const Placed_models& scene)
 {
   Certificate certificate = certificate_of(scene.a, scene.b);
-  for (std::size_t k = 0; k < scene.poses.count(); ++k) {
-    const Pose &a = scene.poses.of_a(k), &b = scene.poses.of_b(k);
-    certificate.collide(a, b, scene.question, query.collide(a, b).relation());
-  }
+  for (std::size_t k = 0; k < scene.poses.count(); ++k)
+    certificate.collide(query, scene.poses.of_a(k), scene.poses.of_b(k));
   return certificate.text();
 }
 

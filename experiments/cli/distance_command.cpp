@@ -106,16 +106,15 @@ class Asking {
 };
 
 std::string certificate(const Distance_options& options, Query& query, const std::array<Model_file, 2>& models,
-                        const Pose_pairs& poses, Question question)
+                        const Pose_pairs& poses)
 {
   Certificate certificate = certificate_of(models[0], models[1]);
   for (std::size_t k = 0; k < poses.count(); ++k) {
     const kernel::Pose &a = poses.of_a(k), &b = poses.of_b(k);
-    const Nearest nearest = query.nearest(a, b);
     if (options.within.empty())
-      certificate.distance(a, b, question, nearest);
+      certificate.distance(query, a, b);
     else
-      certificate.within(a, b, question, options.within, query.within(a, b, options.within), nearest);
+      certificate.within(query, a, b, options.within);
   }
   return certificate.text();
 }
@@ -150,8 +149,7 @@ void run_distance(const Distance_options& options)
   const auto models = load_models(options.names.a, options.names.b, options.names.models, solid);
   Query query(models[0].body, models[1].body, *question, *how);
   const std::string text = Asking(options, query, models, poses).text();
-  if (!options.certificate.empty())
-    write_whole(options.certificate, certificate(options, query, models, poses, *question));
+  if (!options.certificate.empty()) write_whole(options.certificate, certificate(options, query, models, poses));
   write_answers(options.csv, text);
 }
 

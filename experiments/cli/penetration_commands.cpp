@@ -2,6 +2,7 @@
 #include "experiments/cli/commands.h"
 
 #include "experiments/cli/answer_rows.h"
+#include "experiments/cli/certificate_file.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,7 @@ using Json = nlohmann::ordered_json;
 /// The options of both commands.
 struct Penetration_options {
   Scene_names names;
-  std::string csv;
+  std::string csv, certificate;
   bool exact = false, json = false, time = false;
   int repeat = 1;
 };
@@ -105,20 +107,25 @@ std::string text_of(const std::vector<Row>& rows, const Penetration_options& opt
   return text;
 }
 
-/// Asks question(query, pose of A, pose of B) for all poses, and writes the answers.
-template <class Question>
-void answer_all(const Penetration_options& options, const Question& question)
+/// Asks question(query, pose of A, pose of B) for all poses, and writes the answers. prove(certificate, pose of A, pose
+/// of B, answer) adds a proof.
+template <class Question, class Prove>
+void answer_all(const Penetration_options& options, const Question& question, const Prove& prove)
 {
   if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
   if (options.time && options.csv.empty() && !options.json)
     throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
-  if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
+  for (const std::string& output : {options.csv, options.certificate})
+    if (!output.empty()) options.names.refuse_as_output(output);
+  require_other_file(options.certificate, options.csv);
 
   const Pose_pairs poses = read_pose_pairs(options.names);
   const auto models = load_models(options.names.a, options.names.b, options.names.models, true);
   Query query(models[0].body, models[1].body);
   std::vector<Row> rows(poses.count());
+  std::optional<Certificate> certificate;
+  if (!options.certificate.empty()) certificate = certificate_of(models[0], models[1]);
   const int passes = options.time ? options.repeat : 1;
   Progress progress("poses", rows.size() * passes);
   for (int pass = 0; pass < passes; ++pass)
@@ -127,10 +134,12 @@ void answer_all(const Penetration_options& options, const Question& question)
       const auto answer = question(query, poses.of_a(k), poses.of_b(k));
       rows[k].nanoseconds = std::min(rows[k].nanoseconds, watch.nanoseconds());
       rows[k].cells = cells(answer, options.exact);
+      if (certificate && pass == 0) prove(*certificate, poses.of_a(k), poses.of_b(k), answer);
       progress.step();
     }
   const std::string text = text_of(rows, options);
   write_answers(options.csv, text);
+  if (certificate) write_certificate(options.certificate, *certificate);
 }
 
 void add_options(CLI::App& command, Penetration_options& options, const char* exact)
@@ -138,6 +147,7 @@ void add_options(CLI::App& command, Penetration_options& options, const char* ex
   command.add_option("A", options.names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command.add_option("B", options.names.b, "Model")->required();
   command.add_flag("--exact", options.exact, exact);
+  add_certificate_option(command, options.certificate);
   command.add_option("--csv", options.csv, "Write a table to this file");
   command.add_flag("--json", options.json, "Write JSON to standard output");
   command.add_flag("--time", options.time, "With --csv or --json: nanoseconds of each pose");
@@ -160,7 +170,11 @@ void add_exit_command(CLI::App& app)
       "sliding costs nothing. Both are 0 where the interiors share no point at the start.\n"
       "Example: tetracone exit peg.off block.off --along 0 0 1 --pose-a poses.txt --exact");
   command->callback([options] {
-    answer_all(*options, [&](Query& query, const auto& a, const auto& b) { return query.exits(a, b, options->along); });
+    answer_all(
+        *options, [&](Query& query, const auto& a, const auto& b) { return query.exits(a, b, options->along); },
+        [&](Certificate& certificate, const auto& a, const auto& b, const Exits& answer) {
+          certificate.exits(a, b, options->along, answer);
+        });
   });
 }
 
@@ -179,8 +193,11 @@ void add_depth_command(CLI::App& app)
       "point at the start.\n"
       "Example: tetracone depth cat.off house.poly --pose-b poses.txt --relative 1e-3");
   command->callback([options] {
-    answer_all(*options,
-               [&](Query& query, const auto& a, const auto& b) { return query.depth(a, b, options->limits); });
+    answer_all(
+        *options, [&](Query& query, const auto& a, const auto& b) { return query.depth(a, b, options->limits); },
+        [&](Certificate& certificate, const auto& a, const auto& b, const Depth& answer) {
+          certificate.depth(a, b, answer);
+        });
   });
 }
 

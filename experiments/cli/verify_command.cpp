@@ -89,8 +89,10 @@ auto subjects_of(const std::string& self, bool certificates)
   if constexpr (std::is_same_v<Level, verify::levels::Objects>) add(peer_subjects(self));
   if constexpr (std::is_same_v<Level, verify::levels::Motions>) add(motion_peer_subjects(self));
   if (!certificates) return subjects;
-  if constexpr (std::is_same_v<Level, verify::levels::Objects> || std::is_same_v<Level, verify::levels::Distances>)
+  if constexpr (std::is_same_v<Level, verify::levels::Objects> || std::is_same_v<Level, verify::levels::Distances> ||
+                std::is_same_v<Level, verify::levels::Relations> || std::is_same_v<Level, verify::levels::Exits>)
     subjects.push_back(certified_objects());
+  if constexpr (std::is_same_v<Level, verify::levels::Motions>) subjects.push_back(certified_motions());
   if constexpr (std::is_same_v<Level, verify::levels::Points>) subjects.push_back(certified_points());
   if constexpr (std::is_same_v<Level, verify::levels::Rays>) subjects.push_back(certified_rays());
   return subjects;
@@ -334,6 +336,8 @@ void run_verify(const CLI::App& command, Verify_options options)
       stop(found, db);
     }
   }
+  const std::string costs = certificate_costs(campaign.seed);
+  if (!costs.empty()) write_whole(db.parent_path() / "certificates.csv", costs);
   if (print_summary(database, campaign)) throw CLI::RuntimeError(1);
 }
 
@@ -367,8 +371,10 @@ void add_verify_command(CLI::App& app)
       ->allow_extra_args(false);
   add_subject_options(*command, options->others);
   command->add_flag("--certificates", options->certificates,
-                    "One more subject, `certified tree`, of collisions, distances, points and rays: each answer is "
-                    "proved by experiments/certificates/check.py; one that is refused is a failure");
+                    "One more subject, `certified tree`, of all levels but predicates, features, contacts and scenes: "
+                    "each answer is proved by experiments/certificates/check.py, or by the program that "
+                    "TETRACONE_CHECKER names; one that is refused is a failure. Beside the database, certificates.csv "
+                    "has the sizes and times of what this run has proved");
   command->add_option("--check-subject", options->check_subject,
                       "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
   command->add_option("--level", options->level, "Only this level: " + level_names());

@@ -12,6 +12,7 @@ import pickle
 import sys
 import tempfile
 
+import figures_certificates
 import figures_failure
 import figures_motion
 import figures_need
@@ -36,7 +37,7 @@ from study_data import Study
 
 MODULES = (figures_speed, tables_price, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages, figures_peers, tables_queries,
            figures_scenes, figures_need, tables_bounds, tables_motion, figures_motion,
-           figures_overlap)
+           figures_overlap, figures_certificates)
 
 
 def chart(page, study, campaign):

@@ -4,8 +4,11 @@
 #include "tetracone/kernel/predicate/hull_separation.h"
 #include "tetracone/tetratree/certificate/group_tree.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +16,93 @@
 #include <vector>
 
 namespace tetracone::tetratree {
+
+/// Calls each(v) for the corners v that may be the least (sign < 0) or the last along m. All others are behind one of
+/// them by more than all rounding.
+template <class Each>
+void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign, const Each& each)
+{
+  constexpr double least = 0x1p-100;    // of m: products then underflow by less than the slack
+  constexpr double rounding = 0x1p-48;  // of two products of three numbers that are rounded, each to 2^-52
+  const kernel::Rounded_vector way = {sign * m[0].to_double(), sign * m[1].to_double(), sign * m[2].to_double()};
+  const kernel::Rounded_vector size = {std::abs(way[0]), std::abs(way[1]), std::abs(way[2])};
+  double last = -HUGE_VAL, largest = 0;
+  const auto& rounded = hull.points->rounded;
+  for (const std::uint32_t v : hull.corners) {
+    last = kernel::maximum(last, kernel::dot(way, rounded[v]));
+    largest = kernel::maximum(largest,
+                              kernel::dot(size, kernel::Rounded_vector{std::abs(rounded[v][0]), std::abs(rounded[v][1]),
+                                                                       std::abs(rounded[v][2])}));
+  }
+  const bool is_rounded = kernel::maximum(kernel::maximum(size[0], size[1]), size[2]) >= least;
+  const double behind = is_rounded ? last - rounding * largest : -HUGE_VAL;
+  for (const std::uint32_t v : hull.corners)
+    if (!(kernel::dot(way, rounded[v]) < behind)) each(v);
+}
+
+/// A hull of the corners of another one that may be the last along a direction.
+class Last_corners {
+ public:
+  Last_corners(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign)
+  {
+    for_last(hull, m, sign, [&](std::uint32_t v) { corners_.push_back(v); });
+    hull_ = {hull.points, corners_};
+  }
+  Last_corners(const Last_corners&) = delete;
+  Last_corners& operator=(const Last_corners&) = delete;
+
+  const kernel::Hull& hull() const { return hull_; }
+
+ private:
+  std::vector<std::uint32_t> corners_;
+  kernel::Hull hull_{};
+};
+
+/// Returns kernel::extent, of which few corners are multiplied exactly.
+inline kernel::Exact_number extent_of(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign)
+{
+  return kernel::extent(Last_corners(hull, m, sign).hull(), m, sign);
+}
+
+/// Returns kernel::direction_between of hulls of many corners. It is searched for on a few of them, to which those are
+/// added that a direction found for the few leaves behind.
+inline std::optional<kernel::Rounded_vector> direction_by_few(std::span<const kernel::Hull_pair> pairs, double distance)
+{
+  using kernel::Hull;
+  using kernel::Rounded_vector;
+  constexpr std::size_t few = 8;
+  constexpr int most_rounds = 12;
+  const auto along = [](const Rounded_vector& z, const Hull& hull, std::uint32_t v) {
+    return kernel::dot(z, hull.points->rounded[v]);
+  };
+  const auto last = [&](const Hull& hull, const Rounded_vector& z, double sign) {
+    return *std::ranges::max_element(hull.corners, {}, [&](std::uint32_t v) { return sign * along(z, hull, v); });
+  };
+  std::vector<std::array<std::vector<std::uint32_t>, 2>> some(pairs.size());
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    for (int k = 0; k < 2; ++k) {
+      const auto& corners = k == 0 ? pairs[p].a.corners : pairs[p].b.corners;
+      const std::size_t step = kernel::maximum(corners.size() / few, std::size_t(1));
+      for (std::size_t c = 0; c < corners.size(); c += step) some[p][std::size_t(k)].push_back(corners[c]);
+    }
+  for (int round = 0; round < most_rounds; ++round) {
+    std::vector<kernel::Hull_pair> of_some;
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      of_some.push_back({{pairs[p].a.points, some[p][0], pairs[p].a.recession}, {pairs[p].b.points, some[p][1]}});
+    const auto z = kernel::direction_between(of_some, distance);
+    if (!z) return std::nullopt;
+    bool is_between = true;
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      const std::uint32_t a = last(pairs[p].a, *z, 1), b = last(pairs[p].b, *z, -1);
+      if (along(*z, pairs[p].b, b) - along(*z, pairs[p].a, a) > distance * std::sqrt(kernel::dot(*z, *z))) continue;
+      is_between = false;
+      some[p][0].push_back(a);
+      some[p][1].push_back(b);
+    }
+    if (is_between) return z;
+  }
+  return std::nullopt;
+}
 
 /// A cover as certificates hold it: directions, and a recursion over groups that names one for each pair that is left
 /// closed. The checker of experiments/certificates/ says what it proves.
@@ -42,7 +132,7 @@ class Cover_search {
   bool separates(std::span<const kernel::Hull_pair> pairs, double distance,
                  const std::optional<kernel::Exact_vector>& recession, const Holds& holds)
   {
-    const auto found = kernel::direction_between(pairs, distance);
+    const auto found = direction_by_few(pairs, distance);
     if (!found) return false;
     for (const int bits : {6, 14, 26, 52}) {
       kernel::Exact_vector m =
@@ -122,16 +212,21 @@ class Pair_cover {
   const std::optional<Common_point>& common() const { return common_; }
 
  private:
+  bool keeps_rule(const kernel::Hull& a, const kernel::Hull& b, const kernel::Exact_vector& m) const
+  {
+    return rule_(Last_corners(a, m, 1).hull(), Last_corners(b, m, -1).hull(), m);
+  }
+
   bool covers(Box_id a, Box_id b)
   {
     const kernel::Hull of_a = body_[0]->hull(a), of_b = body_[1]->hull(b);
-    if (has_preferred_ && rule_(of_a, of_b, search_.cover().directions[0])) {
+    if (has_preferred_ && keeps_rule(of_a, of_b, search_.cover().directions[0])) {
       search_.append(std::size_t(0));
       return true;
     }
     const kernel::Hull_pair pair{of_a, of_b};
     if (search_.separates(std::span(&pair, 1), rule_.rounded, {},
-                          [&](const kernel::Exact_vector& m) { return rule_(of_a, of_b, m); }))
+                          [&](const kernel::Exact_vector& m) { return keeps_rule(of_a, of_b, m); }))
       return true;
     const bool is_piece[2] = {body_[0]->groups->is_piece(a), body_[1]->groups->is_piece(b)};
     if (is_piece[0] && is_piece[1]) return pieces(a, b);
@@ -152,7 +247,7 @@ class Pair_cover {
       common_ = {{a, b}, found.on_a};
       return false;
     }
-    if (rule_(body_[0]->hull(a), body_[1]->hull(b), found.direction)) {
+    if (keeps_rule(body_[0]->hull(a), body_[1]->hull(b), found.direction)) {
       search_.append(search_.add(found.direction));
       return true;
     }
@@ -223,7 +318,7 @@ class Probe_cover {
   {
     Exact_vector end = probe_.end.value_or(probe_.start);
     if (probe_.direction) {
-      const kernel::Exact_number beyond = kernel::extent(body_->hull({}), *probe_.direction, 1);
+      const kernel::Exact_number beyond = extent_of(body_->hull({}), *probe_.direction, 1);
       kernel::Exact_number length = 1;
       const auto at = [&] {
         return kernel::detail::sum(probe_.start, kernel::detail::scaled(*probe_.direction, length));
@@ -236,7 +331,7 @@ class Probe_cover {
 
   bool holds(const kernel::Hull& group, const Exact_vector& m) const
   {
-    return kernel::extent(group, m, -1) > kernel::extent(hull(), m, 1);
+    return extent_of(group, m, -1) > kernel::extent(hull(), m, 1);
   }
 
   kernel::Hull hull() const { return {&points_, corners_, recession_ ? &*recession_ : nullptr}; }

@@ -81,30 +81,47 @@ class Group_tree {
 
   bool is_opened() const { return !opened_.empty(); }
 
-  /// Appends the groups as JSON: a piece's number, or a list of groups.
+  /// Appends the groups as JSON: a piece's number, a list of groups, or steps from piece to piece.
   void write(std::string& text, Box_id box = {}) const
   {
     if (is_piece(box)) {
       text += std::to_string(number_[tree_->node_of(box).first[box.lane()]]);
       return;
     }
-    char before = '[';
     if (!opened_.contains(box)) {
-      for_each_element(box, [&](Index e) {
-        text += std::exchange(before, ',');
-        text += std::to_string(number_[e]);
-      });
-    } else {
-      const Index child = tree_->child(box);
-      for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) {
-        text += std::exchange(before, ',');
-        write(text, {child, lane});
-      }
+      write_steps(text, box);
+      return;
+    }
+    char before = '[';
+    const Index child = tree_->child(box);
+    for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) {
+      text += std::exchange(before, ',');
+      write(text, {child, lane});
     }
     text += ']';
   }
 
  private:
+  /// Appends the pieces of a group in few digits, in ascending order: steps from one to the next, the first from -1; -n
+  /// for n steps of 1.
+  void write_steps(std::string& text, Box_id box) const
+  {
+    std::vector<Index> pieces;
+    for_each_element(box, [&](Index e) { pieces.push_back(number_[e]); });
+    std::ranges::sort(pieces);
+    text += "{\"steps\":";
+    char before = '[';
+    for (std::size_t k = 0; k < pieces.size();) {
+      const Index step = k == 0 ? pieces[0] + 1 : pieces[k] - pieces[k - 1];
+      std::size_t ones = 0;
+      while (k + ones < pieces.size() && pieces[k + ones] == (k + ones == 0 ? 0 : pieces[k + ones - 1] + 1)) ++ones;
+      text += std::exchange(before, ',');
+      text += ones > 1 ? "-" + std::to_string(ones) : std::to_string(step);
+      k += kernel::maximum(ones, std::size_t(1));
+    }
+    text += "]}";
+  }
+
   const Element& element(Index e) const { return tree_->elements()[e]; }
 
   /// Calls what(e) for the number of each element below the box.

@@ -20,9 +20,10 @@ class Motion_cover {
   /// Returns both bodies at a time; the result lives as long as the cover. Each time may have a scale of its own.
   using Bodies_at = std::function<std::array<Covered_body, 2>&(double time)>;
 
-  /// `may_touch_at_end`: the bodies may share points at the end of the interval, not before.
-  Motion_cover(Bodies_at bodies_at, double end, bool may_touch_at_end)
-      : bodies_at_(std::move(bodies_at)), end_(end), may_touch_at_end_(may_touch_at_end)
+  /// `may_touch_at_end`: the bodies may share points at the end of the interval, not before. No interval of at most
+  /// `shortest` is cut.
+  Motion_cover(Bodies_at bodies_at, double end, bool may_touch_at_end, double shortest = 0)
+      : bodies_at_(std::move(bodies_at)), end_(end), shortest_(shortest), may_touch_at_end_(may_touch_at_end)
   {}
 
   /// True when all pairs are covered. False where pieces touch, or come so near that no direction was found: they may
@@ -35,7 +36,7 @@ class Motion_cover {
   bool holds(Box_id a, Box_id b, double time, const kernel::Exact_vector& m) const
   {
     auto& body = bodies_at_(time);
-    const auto gap = kernel::extent(body[1].hull(b), m, -1) - kernel::extent(body[0].hull(a), m, 1);
+    const auto gap = extent_of(body[1].hull(b), m, -1) - extent_of(body[0].hull(a), m, 1);
     return gap.sign() == CGAL::POSITIVE || (may_touch_at_end_ && time == end_ && gap.sign() == CGAL::ZERO);
   }
 
@@ -62,8 +63,7 @@ class Motion_cover {
       return cut(a, b, from, to);
     }
     // Groups that are apart at both ends, though not by one direction, need shorter intervals; others smaller groups.
-    if (kernel::direction_between(std::span(pairs).first(1), 0) &&
-        kernel::direction_between(std::span(pairs).last(1), 0))
+    if (direction_by_few(std::span(pairs).first(1), 0) && direction_by_few(std::span(pairs).last(1), 0))
       return cut(a, b, from, to);
     const int opened = is_piece[0] || (!is_piece[1] && pairs[0].a.corners.size() < pairs[0].b.corners.size()) ? 1 : 0;
     search_.append(opened == 0 ? "[\"a\"" : "[\"b\"");
@@ -78,7 +78,7 @@ class Motion_cover {
   bool cut(Box_id a, Box_id b, double from, double to)
   {
     const double time = from + (to - from) / 2;
-    if (!(from < time && time < to)) return false;
+    if (!(from < time && time < to && to - from > shortest_)) return false;
     search_.append(("[\"t\",\"" + kernel::to_string(kernel::Rational(time)) + "\",").c_str());
     if (!covers(a, b, from, time)) return false;
     search_.append(",");
@@ -112,7 +112,7 @@ class Motion_cover {
   }
 
   Bodies_at bodies_at_;
-  double end_;
+  double end_, shortest_;
   bool may_touch_at_end_;
   Cover_search search_;
 };

@@ -10,6 +10,8 @@
 #include "tetracone/tetratree/certificate/cover.h"
 #include "tetracone/tetratree/certificate/motion_cover.h"
 #include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/query_data.h"
+#include "tetracone/tetratree/memory/pair_memory.h"
 #include "tetracone/tetratree/query/exact_vertices.h"
 
 #include <algorithm>
@@ -87,6 +89,14 @@ Rational_point rational(const kernel::Exact_point& point, const Exact_number& we
   return x;
 }
 
+/// Returns the largest absolute value of a coordinate.
+Rational longest_part(const Rational_point& v)
+{
+  Rational longest = 0;
+  for (const Rational& x : v) longest = abs(x) > longest ? Rational(abs(x)) : longest;
+  return longest;
+}
+
 /// Returns the direction in integers without a common factor.
 Rational_point in_lowest_terms(Rational_point m)
 {
@@ -147,6 +157,20 @@ void add_witness(std::string& text, const std::array<Rational_point, 2>& points,
   text += '}';
 }
 
+/// Returns directions that may part bodies which touch in two faces: normals of either, and of edges of both.
+std::vector<Exact_vector> parting_directions(const std::array<kernel::Exact_face, 2>& face)
+{
+  std::vector<Exact_vector> found;
+  for (const kernel::Exact_face& f : face)
+    if (f.plane) found.push_back(kernel::detail::normal_of(*f.plane));
+  for (const auto& [p, q] : face[0].edges)
+    for (const auto& [r, s] : face[1].edges)
+      found.push_back(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
+  for (std::size_t k = 0, count = found.size(); k < count; ++k)
+    found.push_back(kernel::detail::scaled(found[k], Exact_number(-1)));
+  return found;
+}
+
 [[noreturn]] void fail(const std::string& what) { throw Error("certificate: " + what); }
 
 }  // namespace
@@ -159,27 +183,30 @@ struct Placed_pair {
 
 struct Certificate::Data {
   struct Part {
-    Body body;
+    detail::Shared_body body;
     std::optional<Certified_file> file;
     std::vector<Index> source_face;
     std::optional<tetratree::Group_tree> groups;
 
-    explicit Part(const Body& b) : body(b), source_face(b.polyhedron().face_count())
+    explicit Part(detail::Shared_body b) : body(std::move(b)), source_face(body->polyhedron.face_count())
     {
       std::iota(source_face.begin(), source_face.end(), Index(0));
     }
 
-    const covering::Polyhedron& polyhedron() const { return body.polyhedron(); }
+    const covering::Polyhedron& polyhedron() const { return body->polyhedron; }
 
     tetratree::Group_tree& tree()
     {
-      if (!groups) groups.emplace(detail::data_of(body).bvh8(), source_face);
+      if (!groups) groups.emplace(body->bvh8(), source_face);
       return *groups;
     }
   };
 
+  using Poses = std::array<kernel::Pose, 2>;
+
   std::vector<Part> parts;
   std::vector<std::string> answers;
+  std::size_t without_proof = 0;
   std::uint32_t state_of_random = 1;
 
   /// Returns an integer of so many bits about 0.
@@ -240,18 +267,26 @@ struct Certificate::Data {
       refuse_whole(std::size_t(found.body), found.face);
     }
     if (!cover.common()) fail("two faces are nearer than the answer");
-    const Rational_point x = rational(cover.common()->point, pair.weight);
-    const std::array<Box_id, 2>& pieces = cover.common()->piece;
-    add_witness(text, {x, x},
-                {file_face(0, pair.body[0].groups->piece_of(pieces[0]).face),
-                 file_face(1, pair.body[1].groups->piece_of(pieces[1]).face)});
+    add_common(text, pair, *cover.common());
     if (met) *met = *cover.common();
     return false;
   }
 
+  void add_common(std::string& text, Placed_pair& pair, const tetratree::Common_point& common) const
+  {
+    const Rational_point x = rational(common.point, pair.weight);
+    add_witness(text, {x, x}, {face_of(pair, common, 0), face_of(pair, common, 1)});
+  }
+
+  /// Returns the face of the file of which the piece of body k is a part.
+  Index face_of(Placed_pair& pair, const tetratree::Common_point& common, std::size_t k) const
+  {
+    return file_face(k, pair.body[k].groups->piece_of(common.piece[k]).face);
+  }
+
   /// Finds the winding number of a point in a body by a ray that meets no edge. Appends the ray, the number and the
-  /// cover.
-  int winding(std::string& text, Covered_body& body, const Exact_vector& x)
+  /// cover. Nothing where no ray of some is such, as from a point of the surface.
+  std::optional<int> winding(std::string& text, Covered_body& body, const Exact_vector& x)
   {
     // The first ray leads away from the body's middle, which few faces of it meet if the point is outside.
     Exact_vector sum = {0, 0, 0};
@@ -289,19 +324,30 @@ struct Certificate::Data {
       add_cover(text, cover.cover());
       return winding;
     }
-    fail("no ray from a point goes through faces alone");
+    return std::nullopt;
   }
 
-  /// Returns the winding number of a point in body `holder` as a row, and the number. `of` has the point's key and
-  /// value.
-  std::pair<std::string, int> winding_row(Placed_pair& pair, int holder, const std::string& of, const Exact_vector& x)
+  using Winding_row = std::pair<std::string, int>;
+
+  /// Returns the winding number of a point in body `holder` as a row, and the number; nothing as `winding`. `of` has the
+  /// point's key and value.
+  std::optional<Winding_row> winding_row(Placed_pair& pair, int holder, const std::string& of, const Exact_vector& x)
   {
     std::string row = "{";
     add_key(row, "in");
     row += holder == 0 ? "\"a\"," : "\"b\",";
     row += of;
-    const int number = winding(row, pair.body[holder], x);
-    return {row + '}', number};
+    const auto number = winding(row, pair.body[holder], x);
+    if (!number) return std::nullopt;
+    return Winding_row{row + '}', *number};
+  }
+
+  /// Returns that of a vertex of body k in the other one. Requires one that is not on its surface.
+  Winding_row winding_of_vertex(Placed_pair& pair, int k, Index v)
+  {
+    auto row = winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact[v]);
+    if (!row) fail("no ray from a vertex goes through faces alone");
+    return *std::move(row);
   }
 
   /// Appends the winding number of a vertex of each shell of both bodies. True where those of A are all inside of B, or
@@ -312,7 +358,7 @@ struct Certificate::Data {
     bool found = true;
     for (int k = 0; k < 2; ++k)
       for (const Index v : parts[k].tree().tree().model().covering().shell_vertices()) {
-        auto [row, number] = winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact[v]);
+        auto [row, number] = winding_of_vertex(pair, k, v);
         found = found && (number != 0) == (k == 0 ? a_is_inside : b_is_inside);
         rows.push_back(std::move(row));
       }
@@ -325,14 +371,22 @@ struct Certificate::Data {
   bool one_winding(std::string& text, Placed_pair& pair, int k)
   {
     for (const Index v : parts[k].tree().tree().model().covering().shell_vertices()) {
-      const auto [row, number] =
-          winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact[v]);
+      const auto [row, number] = winding_of_vertex(pair, k, v);
       if (number == 0) continue;
       add_key(text, "windings");
       text += '[' + row + ']';
       return true;
     }
     return false;
+  }
+
+  /// Returns the point that two leaves share, if there is one.
+  std::optional<tetratree::Common_point> common_of(Placed_pair& pair, const tetratree::Box_ids& leaves)
+  {
+    const kernel::Exact_distance found =
+        kernel::distance_of_faces(pair.body[0].face(leaves[0]), pair.body[1].face(leaves[1]));
+    if (!found.is_zero()) return {};
+    return tetratree::Common_point{{leaves[0], leaves[1]}, found.on_a};
   }
 
   std::string begin(std::string_view ask) const { return "{\"ask\":" + json_text(ask); }
@@ -348,6 +402,13 @@ struct Certificate::Data {
   }
 
   void keep(std::string answer) { answers.push_back(std::move(answer) + "}"); }
+
+  /// Counts an answer that has no proof.
+  bool leave_out()
+  {
+    ++without_proof;
+    return false;
+  }
 
   /// Returns a face of the file that has the part which holds a nearest point.
   Index face_of(std::size_t body, const Holder& holder) const
@@ -396,9 +457,12 @@ struct Certificate::Data {
     if (question == Question::solid && !all_windings(text, pair)) fail("one solid holds a part of the other");
   }
 
-  /// Appends points in both solids, in A alone and in B alone, if random points about a place have them. Surfaces that
-  /// cross there have all three in any ball about it.
-  bool overlap(std::string& text, Placed_pair& pair, const kernel::Exact_point& place)
+  /// Whether a point is inside of A, and of B.
+  using Sides = std::array<bool, 2>;
+
+  /// Appends a point for each of the sides, if random points about a place have them. Surfaces that cross there have
+  /// all in any ball about it.
+  bool sides(std::string& text, Placed_pair& pair, const kernel::Exact_point& place, std::vector<Sides> wanted)
   {
     kernel::Rounded_vector middle;
     double size = 0;
@@ -407,37 +471,282 @@ struct Certificate::Data {
       for (const Exact_vector& v : body.points.exact)
         for (int c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(v[c].to_double() - middle[c]));
     if (!std::isfinite(size)) return false;
-    std::map<std::array<bool, 2>, std::string> rows;
-    constexpr int most_points = 160, points_of_a_size = 8;
-    for (int n = 0; n < most_points && rows.size() < 3; ++n) {
+    std::vector<std::string> rows;
+    for (int n = 0; n < most_points && !wanted.empty(); ++n) {
       Exact_vector x;
       for (int c = 0; c < 3; ++c)
-        x[c] = Exact_number(middle[c] + std::ldexp(size, -1 - n / points_of_a_size) * random(20) * 0x1p-20);
+        x[c] = Exact_number(middle[c] + std::ldexp(size, 2 - n / points_of_a_size) * random(20) * 0x1p-20);
       Rational_point exact_x = rational(x);
       for (Rational& c : exact_x) c /= Rational(pair.weight);
-      std::array<bool, 2> is_in;
-      std::string both;
-      for (int k = 0; k < 2; ++k) {
-        const auto [row, number] = winding_row(pair, k, "\"point\":" + strings_of(exact_x), x);
-        is_in[k] = number != 0;
-        both += (k == 0 ? "" : ",") + row;
-      }
-      if (is_in[0] || is_in[1]) rows.emplace(is_in, both);
+      const std::string of = "\"point\":" + strings_of(exact_x);
+      const auto in_a = winding_row(pair, 0, of, x), in_b = winding_row(pair, 1, of, x);
+      if (!in_a || !in_b || std::erase(wanted, Sides{in_a->second != 0, in_b->second != 0}) == 0) continue;
+      rows.push_back(in_a->first);
+      rows.push_back(in_b->first);
     }
     add_key(text, "windings");
-    add_list(text, rows, [](const auto& row) { return row.second; });
-    return rows.size() == 3;
+    add_list(text, rows, [](const std::string& row) { return row; });
+    return wanted.empty();
   }
+
+  /// Both bodies on lines between poses, with each time that was asked for.
+  struct Moving_pair {
+    Data* data;
+    Poses from, to;
+    std::map<double, Placed_pair> placed = {};
+
+    Placed_pair& at(double time)
+    {
+      const auto found = placed.find(time);
+      if (found != placed.end()) return found->second;
+      const auto pose = [&](std::size_t k) { return kernel::Body_motion::linear(from[k], to[k]).at(Rational(time)); };
+      return placed.emplace(time, data->placed(pose(0), pose(1))).first->second;
+    }
+
+    tetratree::Motion_cover::Bodies_at bodies()
+    {
+      return [this](double time) -> std::array<Covered_body, 2>& { return at(time).body; };
+    }
+  };
+
+  /// Appends a cover over all times but the last, at which the surfaces may touch, and the windings at the first.
+  /// `inside` is the body whose shells are inside of the other one; -1 where all are outside. True where it holds.
+  bool leads_free(std::string& text, Moving_pair moving, int inside)
+  {
+    constexpr double shortest = 0x1p-8;  // of intervals: a way that needs shorter ones is given up
+    tetratree::Motion_cover cover(moving.bodies(), 1, true, shortest);
+    if (!cover()) return false;
+    add_cover(text, cover.cover());
+    return all_windings(text, moving.at(0), inside == 0, inside == 1);
+  }
+
+  /// A body and a pose near its own.
+  using Start = std::pair<std::size_t, kernel::Pose>;
+
+  /// Returns a point near the mean of the corners of placed body k, and a length like that of the body.
+  static std::pair<Rational_point, double> middle_of(Placed_pair& pair, std::size_t k)
+  {
+    const auto& corners = pair.body[k].groups->group({}).corners;
+    const double weight = Rational(pair.weight).get_d();
+    kernel::Rounded_vector middle{};
+    double size = 0;
+    const auto at = [&](std::uint32_t v, std::size_t c) {
+      return pair.body[k].points.exact[v][c].to_double() / weight;
+    };
+    for (const std::uint32_t v : corners)
+      for (std::size_t c = 0; c < 3; ++c) middle[c] += at(v, c) / double(corners.size());
+    for (const std::uint32_t v : corners)
+      for (std::size_t c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(at(v, c) - middle[c]));
+    if (!std::isfinite(size)) return {};
+    return {{Rational(middle[0]), Rational(middle[1]), Rational(middle[2])}, size};
+  }
+
+  /// Returns where bodies may come from: smaller ones, or larger ones about another that they hold, and ones aside.
+  std::vector<Start> starts(const Poses& poses, Placed_pair& pair, int inside, const tetratree::Common_point& met)
+  {
+    std::vector<Start> starts;
+    const auto add = [&](std::size_t k, const Rational& factor, const Rational_point& shift) {
+      std::array<Rational, 12> entries;
+      for (std::size_t e = 0; e < 12; ++e) {
+        entries[e] = factor * poses[k].exact(int(e));
+        if (e % 4 == 3) entries[e] += shift[e / 4];
+        if (!std::isfinite(kernel::nearest_double(entries[e]))) return;
+      }
+      starts.emplace_back(k, kernel::Pose(entries));
+    };
+    double size = HUGE_VAL;
+    for (const double share : {0.5, 0x1p-4})
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto [middle, length] = middle_of(pair, k);
+        size = kernel::minimum(size, length);
+        const Rational factor = inside == int(1 - k) ? 1 + share : 1 - share;
+        add(k, factor, {(1 - factor) * middle[0], (1 - factor) * middle[1], (1 - factor) * middle[2]});
+      }
+    const std::array<kernel::Hull, 2> hull = {pair.body[0].hull(met.piece[0]), pair.body[1].hull(met.piece[1])};
+    for (const Exact_vector& m :
+         parting_directions({pair.body[0].face(met.piece[0]), pair.body[1].face(met.piece[1])})) {
+      if (m == Exact_vector{0, 0, 0} || kernel::extent(hull[0], m, 1) > kernel::extent(hull[1], m, -1)) continue;
+      Rational_point aside = in_lowest_terms(rational(m));
+      const Rational longest = longest_part(aside);
+      for (Rational& x : aside) x *= -Rational(size / 16) / longest;
+      add(0, 1, aside);
+    }
+    return starts;
+  }
+
+  /// Appends a way of one body to its pose, before the end of which the surfaces share no point, if one of a few is
+  /// such. `inside` is as for `leads_free`. `met` is a point that the bodies share at their poses.
+  bool way(std::string& text, const Poses& poses, Placed_pair& pair, int inside, const tetratree::Common_point& met)
+  {
+    for (const auto& [mover, from] : starts(poses, pair, inside, met)) {
+      Poses start = poses;
+      start[mover] = from;
+      std::string row = text + "{\"of\":\"" + (mover == 0 ? 'a' : 'b') + '"';
+      add_pose(row, "pose", from);
+      if (!leads_free(row, {this, start, poses}, inside)) continue;
+      text = row + '}';
+      return true;
+    }
+    return false;
+  }
+
+  /// Appends why the interiors share no point: a plane between the bodies, or a way of one without contact.
+  bool parted(std::string& text, const Poses& poses, Placed_pair& pair, const tetratree::Common_point& met)
+  {
+    const kernel::Hull a = pair.body[0].hull({}), b = pair.body[1].hull({});
+    for (const Exact_vector& m :
+         parting_directions({pair.body[0].face(met.piece[0]), pair.body[1].face(met.piece[1])})) {
+      if (m == Exact_vector{0, 0, 0} || kernel::extent(a, m, 1) > kernel::extent(b, m, -1)) continue;
+      add_key(text, "plane");
+      text += strings_of(in_lowest_terms(rational(m)));
+      return true;
+    }
+    add_key(text, "way");
+    return way(text, poses, pair, -1, met);
+  }
+
+  /// Appends a point that is inside of body `holder`, or outside, and a segment from it that meets the surface at its
+  /// end x at the earliest. The segment leads against `along` where that is given. False where none of some is such.
+  bool approach(std::string& text, const Poses& poses, std::size_t holder, const Rational_point& x, bool is_inside,
+                const std::optional<Rational_point>& along = {})
+  {
+    Placed_pair pair = placed(poses[0], poses[1]);
+    const double size = middle_of(pair, holder).second, length = along ? longest_part(*along).get_d() : 1;
+    const mpz_class common = along ? lcm(common_denominator(x), common_denominator(*along)) : common_denominator(x);
+    pair.body[holder] = placed(holder, poses[holder], poses[1 - holder], exact(Rational(common)));
+    const auto weighted = [by = Rational(Rational(common) * Rational(pair.weight))](const Rational_point& p) {
+      return Exact_vector{exact(p[0] * by), exact(p[1] * by), exact(p[2] * by)};
+    };
+    for (int n = 0; n < most_points; ++n) {
+      Rational_point y = x;
+      const double far = std::ldexp(size, 1 - n / points_of_a_size);
+      if (along && n % points_of_a_size > 0) continue;
+      for (std::size_t c = 0; c < 3; ++c)
+        y[c] += along ? Rational(Rational(std::exp2(std::rint(std::log2(far / length)))) * (*along)[c])
+                      : Rational(far * random(10) * 0x1p-10);
+      if (y == x) continue;
+      const auto row = winding_row(pair, int(holder), "\"point\":" + strings_of(y), weighted(y));
+      if (!row || (row->second != 0) != is_inside) continue;
+      Probe_cover cover(pair.body[holder], Probe{weighted(y), weighted(x), {}});
+      const bool is_free = cover([&](Box_id, const kernel::Exact_face& f, bool) {
+        const auto m = kernel::direction_of_first_touch(f, weighted(y), weighted(x));
+        if (!m) return Probe_cover::Met::stops;
+        cover.search().append(cover.search().add(*m));
+        return Probe_cover::Met::is_covered;
+      });
+      if (!is_free) continue;
+      text += "{\"winding\":" + row->first;
+      add_cover(text, cover.cover());
+      text += '}';
+      return true;
+    }
+    return false;
+  }
+
+  /// Appends why a point of the inner body is not in the interior of the other one.
+  bool border(std::string& text, const Poses& poses, Placed_pair& pair, int inner, const tetratree::Common_point& met)
+  {
+    const Rational_point x = rational(met.point, pair.weight);
+    add_key(text, "border");
+    text += "{\"face\":" + std::to_string(face_of(pair, met, std::size_t(inner)));
+    add_key(text, "point");
+    text += strings_of(x);
+    add_key(text, "outside");
+    if (!approach(text, poses, std::size_t(1 - inner), x, false)) return false;
+    text += '}';
+    return true;
+  }
+
+  /// Appends why the interiors share a point just before A, moved along a direction, comes to its pose.
+  bool just_before(std::string& text, const Poses& poses, const Rational_point& along)
+  {
+    Placed_pair pair = placed(poses[0], poses[1]);
+    std::string unused = "{";
+    tetratree::Common_point met;
+    if (cover(unused, pair, {}, {}, &met)) return false;
+    const std::array<Rational_point, 2> ahead = {along, {-along[0], -along[1], -along[2]}};
+    for (const Rational_point& x : points_near(pair, met))
+      for (const std::size_t k : {1, 0}) {  // the body of the segment along the direction
+        std::string both = text + (text.back() == '[' ? "{" : ",{");
+        add_key(both, "point");
+        both += strings_of(x);
+        add_key(both, k == 0 ? "in_a" : "in_b");
+        if (!approach(both, poses, k, x, true, ahead[k])) continue;
+        add_key(both, k == 0 ? "in_b" : "in_a");
+        if (!approach(both, poses, 1 - k, x, true)) continue;
+        text = both + '}';
+        return true;
+      }
+    return false;
+  }
+
+  /// Returns a common point, and points from it towards the middles of both pieces: where faces touch in an area, the
+  /// point may be on its border, and they are within.
+  static std::vector<Rational_point> points_near(Placed_pair& pair, const tetratree::Common_point& met)
+  {
+    const Rational_point x = rational(met.point, pair.weight);
+    std::array<Rational_point, 3> way{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto& corners = pair.body[k].groups->group(met.piece[k]).corners;
+      const Rational share(1, std::uint32_t(corners.size()));
+      for (const std::uint32_t v : corners) {
+        const Rational_point at = rational(pair.body[k].points.exact[v]);
+        for (std::size_t c = 0; c < 3; ++c) way[k][c] += share * (at[c] / Rational(pair.weight) - x[c]);
+      }
+    }
+    for (std::size_t c = 0; c < 3; ++c) way[2][c] = (way[0][c] + way[1][c]) / 2;
+    std::vector<Rational_point> points = {x};
+    for (const Rational& part : {Rational(1, 2), Rational(1, 16), Rational(1, 256)})
+      for (const Rational_point& w : way)
+        points.push_back({x[0] + part * w[0], x[1] + part * w[1], x[2] + part * w[2]});
+    return points;
+  }
+
+  /// True when both bodies have the same faces, by the places of their corners.
+  bool have_same_faces(Placed_pair& pair) const
+  {
+    using Face = std::vector<std::vector<Exact_vector>>;
+    std::array<std::vector<Face>, 2> faces;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const covering::Polyhedron& polyhedron = parts[k].polyhedron();
+      for (Index f = 0; f < polyhedron.face_count(); ++f) {
+        Face face(polyhedron.loop_count(f));
+        for (std::size_t l = 0; l < face.size(); ++l) {
+          for (const Index v : polyhedron.loop(f, l)) face[l].push_back(pair.body[k].points.exact[v]);
+          std::ranges::rotate(face[l], std::ranges::min_element(face[l]));
+        }
+        std::ranges::sort(face);
+        faces[k].push_back(std::move(face));
+      }
+      std::ranges::sort(faces[k]);
+    }
+    return faces[0] == faces[1];
+  }
+
+  /// Random points that a search tries, and how many of them are as near to a place.
+  static constexpr int most_points = 192, points_of_a_size = 8;
+
+  /// Adds an answer. `leaves` are those at which the query found that the surfaces meet, if it says so.
+  void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer,
+               const std::optional<tetratree::Box_ids>& leaves);
+
+  /// Appends why the interiors share no point at these poses. `met` is a common point, if the surfaces share one.
+  bool interiors_apart(std::string& text, const Poses& poses, tetratree::Common_point& met);
 
   std::string text() const;
   std::string text_of(const Part& part) const;
 };
 
-Certificate::Certificate(const Body& body) : data_(std::make_unique<Data>()) { data_->parts.emplace_back(body); }
+Certificate::Certificate(const Body& body) : data_(std::make_unique<Data>()) { data_->parts.emplace_back(body.data_); }
 Certificate::Certificate(const Body& a, const Body& b) : data_(std::make_unique<Data>())
 {
-  data_->parts.emplace_back(a);
-  data_->parts.emplace_back(b);
+  data_->parts.emplace_back(a.data_);
+  data_->parts.emplace_back(b.data_);
+}
+Certificate::Certificate(const Query& query) : data_(std::make_unique<Data>())
+{
+  data_->parts.emplace_back(query.data().a);
+  data_->parts.emplace_back(query.data().b);
 }
 Certificate::~Certificate() = default;
 Certificate::Certificate(Certificate&&) noexcept = default;
@@ -449,19 +758,80 @@ void Certificate::name_file(std::size_t body, Certified_file file)
   data_->parts[body].file = std::move(file);
 }
 
+Answer Certificate::collide(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  tetratree::Pair_memory memory;
+  const Answer answer = query.collide(pose_a, pose_b, memory);
+  data_->collide(pose_a, pose_b, query.data().question, answer.relation(), memory.witness);
+  return answer;
+}
+
+Nearest Certificate::distance(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  Nearest nearest = query.nearest(pose_a, pose_b);
+  distance(pose_a, pose_b, query.data().question, nearest);
+  return nearest;
+}
+
+bool Certificate::within(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit)
+{
+  const bool answer = query.within(pose_a, pose_b, limit);
+  within(pose_a, pose_b, query.data().question, limit, answer, query.nearest(pose_a, pose_b));
+  return answer;
+}
+
+Solid_contact Certificate::relation(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  const Solid_contact contact = query.solid_relation(pose_a, pose_b);
+  relation(pose_a, pose_b, contact.relation);
+  return contact;
+}
+
+Exits Certificate::exits(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                         const std::array<std::string, 3>& direction)
+{
+  Exits answer = query.exits(pose_a, pose_b, direction);
+  exits(pose_a, pose_b, direction, answer);
+  return answer;
+}
+
+Depth Certificate::depth(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                         const Depth_options& options)
+{
+  Depth answer = query.depth(pose_a, pose_b, options);
+  depth(pose_a, pose_b, answer);
+  return answer;
+}
+
+std::size_t Certificate::without_proof() const { return data_->without_proof; }
+
 void Certificate::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer)
 {
-  std::string text = data_->begin("collide", pose_a, pose_b, question);
+  data_->collide(pose_a, pose_b, question, answer, {});
+}
+
+void Certificate::Data::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                                Relation answer, const std::optional<tetratree::Box_ids>& leaves)
+{
+  std::string text = begin("collide", pose_a, pose_b, question);
   add_key(text, "answer");
   text += json_text(kernel::to_string(answer));
-  Placed_pair pair = data_->placed(pose_a, pose_b);
-  const bool shares_none = data_->cover(text, pair, {});
+  Placed_pair pair = placed(pose_a, pose_b);
+  if (answer == Relation::surfaces && leaves) {
+    const auto met = common_of(pair, *leaves);
+    if (met) {
+      add_common(text, pair, *met);
+      keep(std::move(text));
+      return;
+    }
+  }
+  const bool shares_none = cover(text, pair, {});
   if (shares_none != (answer != Relation::surfaces)) fail("the answer is not proved: surfaces");
   if (shares_none && question == Question::solid &&
-      !(answer == Relation::apart ? data_->all_windings(text, pair)
-                                  : data_->one_winding(text, pair, answer == Relation::a_in_b ? 0 : 1)))
+      !(answer == Relation::apart ? all_windings(text, pair)
+                                  : one_winding(text, pair, answer == Relation::a_in_b ? 0 : 1)))
     fail("the answer is not proved: shells");
-  data_->keep(std::move(text));
+  keep(std::move(text));
 }
 
 void Certificate::distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
@@ -521,29 +891,12 @@ void Certificate::inside(const std::array<std::string, 3>& point, Location answe
     if (!found) fail("no face holds the point");
     add_key(text, "face");
     text += std::to_string(data_->file_face(0, *found));
-  } else if ((data_->winding(text, body, at) != 0) != (answer == Location::inside)) {
-    fail("the answer is not proved: the winding number");
+  } else {
+    const auto number = data_->winding(text, body, at);
+    if (!number || (*number != 0) != (answer == Location::inside)) fail("the answer is not proved: the winding number");
   }
   data_->keep(std::move(text));
 }
-
-namespace {
-
-/// Returns directions that may part bodies which touch in two faces: normals of either, and of edges of both.
-std::vector<Exact_vector> parting_directions(const std::array<kernel::Exact_face, 2>& face)
-{
-  std::vector<Exact_vector> found;
-  for (const kernel::Exact_face& f : face)
-    if (f.plane) found.push_back(kernel::detail::normal_of(*f.plane));
-  for (const auto& [p, q] : face[0].edges)
-    for (const auto& [r, s] : face[1].edges)
-      found.push_back(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
-  for (std::size_t k = 0, count = found.size(); k < count; ++k)
-    found.push_back(kernel::detail::scaled(found[k], Exact_number(-1)));
-  return found;
-}
-
-}  // namespace
 
 bool Certificate::relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer)
 {
@@ -552,31 +905,131 @@ bool Certificate::relation(const kernel::Pose& pose_a, const kernel::Pose& pose_
   add_pose(text, "pose_b", pose_b);
   add_key(text, "answer");
   text += json_text(kernel::to_string(answer));
+  const Data::Poses poses = {pose_a, pose_b};
   Placed_pair pair = data_->placed(pose_a, pose_b);
-  if (answer == Solid_relation::disjoint || answer == Solid_relation::inside || answer == Solid_relation::contains) {
-    if (!data_->cover(text, pair, {})) fail("the answer is not proved: surfaces");
-    if (!data_->all_windings(text, pair, answer == Solid_relation::inside, answer == Solid_relation::contains))
-      fail("the answer is not proved: shells");
-    data_->keep(std::move(text));
-    return true;
-  }
-  if (answer != Solid_relation::overlap && answer != Solid_relation::meet) return false;
   std::string witness = text;
   tetratree::Common_point met;
-  if (data_->cover(witness, pair, {}, {}, &met)) fail("the answer is not proved: surfaces");
-  if (answer == Solid_relation::meet) {
-    const kernel::Hull a = pair.body[0].hull({}), b = pair.body[1].hull({});
-    for (const Exact_vector& m :
-         parting_directions({pair.body[0].face(met.piece[0]), pair.body[1].face(met.piece[1])})) {
-      if (m == Exact_vector{0, 0, 0} || kernel::extent(a, m, 1) > kernel::extent(b, m, -1)) continue;
-      add_key(witness, "plane");
-      witness += strings_of(in_lowest_terms(rational(m)));
-      data_->keep(std::move(witness));
-      return true;
-    }
-    return false;
+  const bool shares_none = data_->cover(witness, pair, {}, {}, &met);
+  const bool is_without =
+      answer == Solid_relation::disjoint || answer == Solid_relation::inside || answer == Solid_relation::contains;
+  if (shares_none != is_without) fail("the answer is not proved: surfaces");
+  if (is_without) {
+    if (!data_->all_windings(witness, pair, answer == Solid_relation::inside, answer == Solid_relation::contains))
+      fail("the answer is not proved: shells");
+    data_->keep(std::move(witness));
+    return true;
   }
-  if (!data_->overlap(text, pair, met.point)) return false;
+  const auto is_proved = [&] {
+    switch (answer) {
+      case Solid_relation::meet:
+        text = witness;
+        return data_->parted(text, poses, pair, met) &&
+               data_->sides(text, pair, met.point, {{true, false}, {false, true}});
+      case Solid_relation::overlap:
+        return data_->sides(text, pair, met.point, {{true, true}, {true, false}, {false, true}});
+      case Solid_relation::equal:
+        if (data_->have_same_faces(pair)) return true;
+        add_key(text, "ways");
+        text += '[';
+        if (!data_->way(text, poses, pair, 0, met)) return false;
+        text += ',';
+        if (!data_->way(text, poses, pair, 1, met)) return false;
+        text += ']';
+        return true;
+      default: {
+        const int inner = answer == Solid_relation::covered_by ? 0 : 1;
+        add_key(text, "way");
+        return data_->way(text, poses, pair, inner, met) && data_->border(text, poses, pair, inner, met) &&
+               data_->sides(text, pair, met.point, {{inner == 1, inner == 0}});
+      }
+    }
+  };
+  if (!is_proved()) return data_->leave_out();
+  data_->keep(std::move(text));
+  return true;
+}
+
+namespace {
+
+/// Returns the pose, moved by a vector.
+kernel::Pose moved(const kernel::Pose& pose, const Rational_point& by)
+{
+  std::array<Rational, 12> entries;
+  for (std::size_t k = 0; k < 12; ++k) entries[k] = pose.exact(int(k)) + (k % 4 == 3 ? by[k / 4] : Rational(0));
+  return kernel::Pose(entries);
+}
+
+}  // namespace
+
+bool Certificate::Data::interiors_apart(std::string& text, const Poses& poses, tetratree::Common_point& met)
+{
+  Placed_pair pair = placed(poses[0], poses[1]);
+  std::string unused = "{";
+  if (!cover(unused, pair, {}, {}, &met)) return parted(text, poses, pair, met);
+  // Without a common point, the way of a body that stays is free.
+  add_key(text, "way");
+  text += "{\"of\":\"a\"";
+  add_pose(text, "pose", poses[0]);
+  if (!leads_free(text, {this, poses, poses}, -1)) return false;
+  text += '}';
+  return true;
+}
+
+bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                        const std::array<std::string, 3>& direction, const Exits& answer)
+{
+  std::string text = data_->begin("exit");
+  add_pose(text, "pose_a", pose_a);
+  add_pose(text, "pose_b", pose_b);
+  add_key(text, "direction");
+  add_list(text, direction, [](const std::string& x) { return json_text(x); });
+  add_key(text, "answer");
+  const std::array<Rational, 2> exit = {Rational(answer.exact_first), Rational(answer.exact_last)};
+  text += strings_of(exit);
+  Rational_point along;
+  for (std::size_t k = 0; k < 3; ++k) along[k] = kernel::parse_number(direction[k]).value();
+  const auto shifted = [&](const Rational& s) {
+    return Data::Poses{moved(pose_a, {s * along[0], s * along[1], s * along[2]}), pose_b};
+  };
+  tetratree::Common_point met;
+  if (!data_->interiors_apart(text, shifted(exit[0]), met)) return data_->leave_out();
+
+  // Beyond `until`, a plane across the direction is between the bodies.
+  const Data::Poses last = shifted(exit[1]);
+  Placed_pair pair = data_->placed(last[0], last[1]);
+  const Rational_point m = in_lowest_terms(along);
+  const Exact_vector across = {exact(m[0]), exact(m[1]), exact(m[2])};
+  const Exact_number between =
+      kernel::extent(pair.body[1].hull({}), across, 1) - kernel::extent(pair.body[0].hull({}), across, -1);
+  Rational until = Rational(between) / Rational(pair.weight) / kernel::dot(m, along);
+  if (until <= 0) until = 1;
+  add_key(text, "gone");
+  text += "{\"until\":" + json_text(kernel::to_string(until));
+  if (!data_->leads_free(text, {data_.get(), shifted(exit[1] + until), last}, -1)) return data_->leave_out();
+  text += "}";
+  add_key(text, "before");
+  text += '[';
+  if (exit[0] > 0)
+    for (const Rational& s : exit)
+      if (!data_->just_before(text, shifted(s), along)) return data_->leave_out();
+  text += ']';
+  data_->keep(std::move(text));
+  return true;
+}
+
+bool Certificate::depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer)
+{
+  std::string text = data_->begin("depth");
+  add_pose(text, "pose_a", pose_a);
+  add_pose(text, "pose_b", pose_b);
+  add_key(text, "answer");
+  text += json_text(answer.exact_square);
+  Rational_point v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = Rational(answer.exact_vector[k]);
+  add_key(text, "vector");
+  text += strings_of(v);
+  tetratree::Common_point met;
+  if (!data_->interiors_apart(text, {moved(pose_a, v), pose_b}, met)) return data_->leave_out();
   data_->keep(std::move(text));
   return true;
 }
@@ -586,7 +1039,7 @@ bool Certificate::first_contact(const Motion& a, const Motion& b, Question quest
 {
   kernel::require_sound_floating_point();
   const auto &ends_a = a.exact().ends(), &ends_b = b.exact().ends();
-  if (!ends_a || !ends_b) return false;
+  if (!ends_a || !ends_b) return data_->leave_out();
   std::string text = data_->begin("motion");
   add_key(text, "question");
   text += json_text(kernel::to_string(question));
@@ -597,23 +1050,18 @@ bool Certificate::first_contact(const Motion& a, const Motion& b, Question quest
     add_list(text, std::array{answer->lo, answer->hi}, [](double t) { return json_text(kernel::shortest(t)); });
   else
     text += "null";
-  std::map<double, Placed_pair> placed;
-  const auto at = [&](double time) -> Placed_pair& {
-    const auto found = placed.find(time);
-    if (found != placed.end()) return found->second;
-    return placed.emplace(time, data_->placed(a.exact().at(Rational(time)), b.exact().at(Rational(time))))
-        .first->second;
-  };
+  Data::Moving_pair moving{data_.get(), {(*ends_a)[0], (*ends_b)[0]}, {(*ends_a)[1], (*ends_b)[1]}};
   if (answer) {
     std::string witness = "{";
-    const bool shares_none = data_->cover(witness, at(answer->hi), {});
+    const bool shares_none = data_->cover(witness, moving.at(answer->hi), {});
     if (!shares_none) {
       // The witness is the only key; its time stands first in it.
       const std::string key = "\"witness\":{";
       text += ",\"witness\":{\"time\":" + json_text(kernel::to_string(Rational(answer->hi))) + "," +
               witness.substr(1 + key.size());
-    } else if (answer->hi != 0 || !(data_->one_winding(text, at(0), 0) || data_->one_winding(text, at(0), 1))) {
-      return false;
+    } else if (answer->hi != 0 ||
+               !(data_->one_winding(text, moving.at(0), 0) || data_->one_winding(text, moving.at(0), 1))) {
+      return data_->leave_out();
     }
     if (answer->hi == 0) {
       data_->keep(std::move(text));
@@ -621,11 +1069,10 @@ bool Certificate::first_contact(const Motion& a, const Motion& b, Question quest
     }
   }
   const double end = answer ? answer->lo : 1;
-  tetratree::Motion_cover cover([&](double time) -> std::array<Covered_body, 2>& { return at(time).body; }, end,
-                                answer && answer->lo == answer->hi);
-  if (!cover()) return false;
+  tetratree::Motion_cover cover(moving.bodies(), end, answer && answer->lo == answer->hi);
+  if (!cover()) return data_->leave_out();
   add_cover(text, cover.cover());
-  if (question == Question::solid && !data_->all_windings(text, at(0))) fail("the answer is not proved: shells");
+  if (question == Question::solid && !data_->all_windings(text, moving.at(0))) fail("the answer is not proved: shells");
   data_->keep(std::move(text));
   return true;
 }

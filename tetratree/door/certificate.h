@@ -21,8 +21,13 @@ struct Certified_file {
 };
 
 /// Collects proofs of answers about one body, or two. A program without our code, experiments/certificates/check.py,
-/// proves the answers from the text. Each proof is found anew, exactly, by a search over the trees of the bodies: it
-/// costs more than the answer, which stays as fast as it is.
+/// proves the answers from the text. Each proof is found exactly, by a search over the trees of the bodies: it costs
+/// more than the answer, which stays as fast as it is.
+///
+///     Query query(a, b);
+///     Certificate certificate(query);
+///     const Answer answer = certificate.collide(query, pose_a, pose_b);
+///     std::ofstream("proof.json") << certificate.text();
 ///
 /// An answer that the search cannot prove throws Error, and so does a body with a face that has no triangles where its
 /// proof needs some.
@@ -32,6 +37,9 @@ class Certificate {
   explicit Certificate(const Body& body);
   /// For answers about two bodies.
   Certificate(const Body& a, const Body& b);
+  /// For answers of a query, and of others about the same two bodies. Throws Error for a query that has been moved
+  /// from.
+  explicit Certificate(const Query& query);
   ~Certificate();
   /// Moves; the certificate that is moved from may only be destroyed.
   Certificate(Certificate&&) noexcept;
@@ -42,6 +50,24 @@ class Certificate {
   /// no answer has been added.
   void name_file(std::size_t body, Certified_file file);
 
+  /// Asks the query, and adds its answer. Where surfaces meet, the proof is the pair of faces at which the query ended.
+  /// Requires a query about the certificate's bodies. Throws as `Query::collide`.
+  Answer collide(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+  /// Asks the query for the nearest points, and adds the distance. Requires and throws as above.
+  Nearest distance(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+  /// Asks the query whether the distance is at most `limit`, and adds the answer. Requires and throws as above.
+  bool within(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
+  /// Asks the query for the relation of the solids, and adds it where it is proved. Requires and throws as above.
+  Solid_contact relation(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+  /// Asks the query for the exits, and adds them where they are proved. Requires and throws as above.
+  Exits exits(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+              const std::array<std::string, 3>& direction);
+  /// Asks the query for the depth, and adds its upper bound where it is proved. Requires and throws as above.
+  Depth depth(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options = {});
+
+  /// Returns how many answers had no proof and were left out.
+  std::size_t without_proof() const;
+
   /// Adds what `Query::collide` answers.
   void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer);
   /// Adds what `Query::nearest` answers.
@@ -49,10 +75,17 @@ class Certificate {
   /// Adds what `Query::within` answers for this limit. `nearest` is the answer of `Query::nearest`.
   void within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const std::string& limit,
               bool answer, const Nearest& nearest);
-  /// Adds the relation that `Query::solid_relation` answers; the dimension has no proof. True
-  /// where it is proved: disjoint, inside and contains always, overlap and meet where the search finds a proof. Else
-  /// nothing is added.
+  /// Adds the relation that `Query::solid_relation` answers; the dimension has no proof. True where it is proved:
+  /// disjoint, inside and contains always, the others where the search finds a proof. Else nothing is added. Solids
+  /// that touch and do not overlap are proved where a plane is between them, or where a body that shrinks, grows or
+  /// moves aside a little has no contact left. Equal solids are proved where they have the same faces, too.
   bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
+  /// Adds what `Query::exits` answers, as fractions. True where it is proved, as `meet`. Else nothing is added.
+  bool exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction,
+             const Exits& answer);
+  /// Adds the translation of `Query::depth`, an upper bound; the lower bound has no proof. True where it is proved, as
+  /// `meet`. Else nothing is added.
+  bool depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer);
   /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added: the motion is rigid, or
   /// the bodies only graze.
   bool first_contact(const Motion& a, const Motion& b, Question question, const std::optional<First_contact>& answer);

@@ -199,6 +199,7 @@ class Body {
 
  private:
   friend class Query;
+  friend class Certificate;
   friend const detail::Body_data& detail::data_of(const Body& body);
   friend Body read_body(const std::filesystem::path& file);
   friend void save_body(const Body& body, const std::filesystem::path& file);
@@ -366,6 +367,7 @@ class Query {
   std::size_t node_count() const;
 
  private:
+  friend class Certificate;
   detail::Query_data& data() const;
 
   std::unique_ptr<detail::Query_data> data_;

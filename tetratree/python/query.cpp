@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/python/query.h"
 
+#include "tetracone/tetratree/door/certificate.h"
 #include "tetracone/tetratree/python/arrays.h"
 #include "tetracone/tetratree/python/body.h"
 #include "tetracone/tetratree/python/motions.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -310,14 +312,18 @@ py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object
   return poses.is_one() ? single_values(columns) : columns;
 }
 
+std::array<std::string, 3> direction_of(const py::object& direction)
+{
+  const py::tuple given(direction);
+  if (given.size() != 3) throw Error("exits: a direction of " + std::to_string(given.size()) + " numbers; expected 3");
+  return {exact_text(given[0]), exact_text(given[1]), exact_text(given[2])};
+}
+
 py::dict exits(Locked_query& self, const py::object& direction, const py::object& poses_b, const py::args& more,
                const py::object& poses_a)
 {
   require_keywords(more, "exits(direction, poses_a=..., poses_b=...)");
-  const py::tuple given(direction);
-  if (given.size() != 3) throw Error("exits: a direction of " + std::to_string(given.size()) + " numbers; expected 3");
-  std::array<std::string, 3> along;
-  for (std::size_t k = 0; k < 3; ++k) along[k] = exact_text(given[k]);
+  const std::array<std::string, 3> along = direction_of(direction);
   const Pose_pairs poses(poses_b, poses_a);
   std::vector<Exits> found(poses.count);
   ask_all(self, poses,
@@ -369,6 +375,36 @@ py::dict depth(Locked_query& self, const py::object& poses_b, double relative, s
   columns["exact_square"] = squares;
   columns["exact_vector"] = exact_vectors;
   return poses.is_one() ? single_values(columns) : columns;
+}
+
+py::object certificate(Locked_query& self, const py::object& poses_b, const std::string& ask, const py::object& limit,
+                       const py::object& direction, const py::object& poses_a)
+{
+  using Add = std::function<void(Certificate&, Query&, const kernel::Pose&, const kernel::Pose&)>;
+  Add add;
+  if (ask == "collide")
+    add = [](Certificate& proofs, Query& query, const auto& a, const auto& b) { proofs.collide(query, a, b); };
+  else if (ask == "distance")
+    add = [](Certificate& proofs, Query& query, const auto& a, const auto& b) { proofs.distance(query, a, b); };
+  else if (ask == "within")
+    add = [most = exact_text(limit)](Certificate& proofs, Query& query, const auto& a, const auto& b) {
+      proofs.within(query, a, b, most);
+    };
+  else if (ask == "relation")
+    add = [](Certificate& proofs, Query& query, const auto& a, const auto& b) { proofs.relation(query, a, b); };
+  else if (ask == "exits")
+    add = [along = direction_of(direction)](Certificate& proofs, Query& query, const auto& a, const auto& b) {
+      proofs.exits(query, a, b, along);
+    };
+  else if (ask == "depth")
+    add = [](Certificate& proofs, Query& query, const auto& a, const auto& b) { proofs.depth(query, a, b); };
+  else
+    throw Error("certificate: ask '" + ask + "'; expected collide, distance, within, relation, exits or depth");
+  const Pose_pairs poses(poses_b, poses_a);
+  Certificate proofs(self.query);
+  ask_all(self, poses,
+          [&](std::size_t, Query& query, const Pose& a, const Pose& b) { add(proofs, query, a.exact(), b.exact()); });
+  return py::module_::import("json").attr("loads")(proofs.text());
 }
 
 py::object features(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
@@ -652,6 +688,23 @@ array([[nan, nan]])
            R"(motion(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
 
 The old name of `first_contact`, kept for one version.
+)")
+      .def("certificate", &certificate, poses_b, py::kw_only(), py::arg("ask") = "collide",
+           py::arg("limit") = py::none(), py::arg("direction") = py::none(), poses_a,
+           R"(certificate(poses_b, *, ask="collide", limit=None, direction=None, poses_a=None)
+
+Answers with their proofs: a dict that experiments/certificates/check.py, a program without any code of this package,
+proves when it is written as JSON. The bodies stand in it.
+
+ask: "collide", "distance", "within" (with `limit`), "relation" (the eight of `solid_relation`), "exits" (with
+`direction`) or "depth" (the upper bound). Answers of the last three that have no proof are left out. Other arguments
+and errors as of the method of that name; "relation" is `solid_relation`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> proofs = tetracone.Query(a, a).certificate([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0]])
+>>> proofs["answers"][0]["answer"], proofs["answers"][0]["cover"]
+('apart', 0)
 )")
       .def("features", of_poses<&features>("features"), poses_b, poses_a, R"(features(poses_b, *, poses_a=None)
 

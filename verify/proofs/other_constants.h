@@ -36,6 +36,8 @@ inline std::vector<Other_constant> other_constants()
       {"kernel/predicate/hull_separation.h", "most", choice, "lengths that the search for a direction takes"},
       {"kernel/predicate/hull_separation.h", "step", choice, "a scale of lengths beyond these"},
       {"kernel/contact/crossing_polytope.h", "tangent", choice, "from where on fractions decide"},
+      {"tetratree/certificate/cover.h", "least", gate, "with smaller numbers all corners are multiplied exactly"},
+      {"tetratree/certificate/cover.h", "rounding", by_hand, "16 roundings of two sums of three products"},
       {"tetratree/door/certificate.cpp", "0x1p-20", unit, "a unit of random offsets of points to try"},
       {"tetratree/door/certificate.cpp", "0x1p-1000", unit, "a power of two, by which an exact number is scaled"},
       {"kernel/bound/relative_motion.h", "least_step", choice, "steps are multiples of it, exactly"},

@@ -317,6 +317,16 @@ let read_body entry path =
   let pieces = Array.of_list (List.rev !pieces) in
   let one k = Core.One (Z.of_int (k + 1), pieces.(k)) in
   let rec group = function
+    | Object _ as entry ->
+        keys entry ["steps"] [];
+        let add (found, last) = function
+          | Int n when n <> 0 && abs n <= Array.length pieces ->
+              let more = if n > 0 then [last + n] else List.rev (List.init (-n) (fun k -> last + 1 + k)) in
+              need_form (List.hd more < Array.length pieces) "there is no such piece";
+              (List.rev_append (List.rev more) found, List.hd more)
+          | _ -> bad "a step is none" in
+        let found, _ = List.fold_left add ([], -1) (rows (get entry "steps")) in
+        group (List (List.rev_map (fun k -> Int k) found))
     | List members -> need_form (members <> []) "a group is empty"; Core.Many (List.map group members)
     | k -> one (index (Array.length pieces) "piece" k) in
   let groups = if has entry "groups" then group (get entry "groups") else Core.Many [Core.Many (List.init (Array.length pieces) one)] in  (* no node of a cover opens it *)
@@ -574,6 +584,14 @@ let prove_inside answer bodies =
       need ((number <> 0) = (said = 1)) "the winding number says otherwise"
   | _ -> bad "there is no such answer"
 
+(* No piece of the placed body is on o + s d for s >= 0, or up to the last s; pieces from number [first] may be there at the last. *)
+let need_free entry place o d last first =
+  let u = unit_of (o @ d) in
+  let last = Option.map (fun (t : Q.t) -> { Core.qnum = t.num; qden = t.den }) last in
+  let no_crossing _ = bad "a node of a cover is none" in
+  let passage = passage_of (directions_of entry) no_crossing (get entry "cover") place.body.core.groups in
+  need (Core.check_ray u (grid_of u o) (grid_of u d) last first place.m place.body.core passage) "the ray is not apart from a group"
+
 let prove_ray answer bodies =
   keys answer ["ask"; "origin"; "direction"; "answer"] ("end" :: cover_keys);
   need_form (Array.length bodies = 1) "there is not one body";
@@ -592,33 +610,152 @@ let prove_ray answer bodies =
            need (Q.sign t >= 0 && (match last with Some e -> Q.leq t e | None -> true)) "the hit is not on the ray";
            need (holds (at_place body identity) (Int f) (List.map2 (fun x y -> Q.add x (Q.mul t y)) o d)) "the face does not hold the hit"
        | None -> ());
-      let u = unit_of (o @ d) in
-      let of_q (t : Q.t) = { Core.qnum = t.num; qden = t.den } in
-      let last = match hit with Some (_, t) -> Some (of_q t) | None -> Option.map of_q last in
       let first = Option.map (fun (f, _) -> Z.of_int body.first_piece.(f)) hit in
-      let no_crossing _ = bad "a node of a cover is none" in
-      let passage = passage_of (directions_of answer) no_crossing (get answer "cover") body.core.groups in
-      need (Core.check_ray u (grid_of u o) (grid_of u d) last first identity body.core passage) "the ray is not apart from a group"
+      need_free answer (at_place body identity) o d (match hit with Some (_, t) -> Some t | None -> last) first
+
+(* Both bodies move on lines, from and to the poses of [ends]: no common point from time 0 to the last; at the last itself only where it is not open. *)
+let need_moving entry (last : Q.t) is_open ends bodies =
+  let over_both (x, y) = let u = unit_of (x @ y) in (pose_over u x, pose_over u y) in
+  let cover = cover_of (directions_of entry) (get entry "cover") in
+  match List.map over_both ends with
+  | [(a0, a1); (b0, b1)] ->
+      need (Core.check_motion { Core.qnum = last.num; qden = last.den } is_open a0 a1 bodies.(0).core b0 b1 bodies.(1).core cover)
+        "two groups are not apart all the time"
+  | _ -> assert false
+
+let places_at bodies numbers = Array.of_list (List.mapi (fun k n -> at_place bodies.(k) (pose n)) numbers)
+
+(* The poses, A moved by a vector. *)
+let poses_of answer shift =
+  let moved = List.mapi (fun k x -> if k mod 4 = 3 then Q.add x (List.nth shift (k / 4)) else x) in
+  [moved (pose_numbers (get answer "pose_a")); pose_numbers (get answer "pose_b")]
+
+(* All shells are outside of the other body; those of body [inside] are inside. *)
+let need_all_shells entry places inside =
+  let found = windings entry places in
+  List.iter (fun k -> need_each_shell found places k (inside = Some k)) [0; 1]
+
+(* A body comes on lines to its pose; before, the surfaces share no point. *)
+let need_way row bodies poses inside =
+  keys row ["of"; "pose"; "directions"; "cover"; "windings"] [];
+  let mover = match get row "of" with String "a" -> 0 | String "b" -> 1 | _ -> bad "there is no such body" in
+  let start = List.mapi (fun k p -> if k = mover then pose_numbers (get row "pose") else p) poses in
+  need_moving row Q.one true (List.combine start poses) bodies;
+  need_all_shells row (places_at bodies start) inside
+
+let need_plane m places k =
+  need (Core.check_plane m places.(k).m places.(k).body.core places.(1 - k).m places.(1 - k).body.core) "the plane does not separate"
+
+(* The interiors share no point. *)
+let need_parted answer bodies poses =
+  if has answer "plane" then need_plane (direction (get answer "plane")) (places_at bodies poses) 0
+  else need_way (get answer "way") bodies poses None
+
+(* For each pair of sides there is a point: whether it is inside of A, and of B. *)
+let need_parts found wanted =
+  let side holder p = List.find_map (fun w -> if w.holder = holder && w.point = p then Some (w.number <> 0) else None) found in
+  List.iter (fun (a, b) -> need (List.exists (fun w -> side 0 w.point = Some a && side 1 w.point = Some b) found) "a part of the solids has no point") wanted
+
+(* From a point to x the surface of body k is met at x at the earliest: the point, and its winding number in body k. *)
+let need_approach entry places k x =
+  keys entry ["winding"; "directions"; "cover"] [];
+  let row = get entry "winding" in
+  keys row ["in"; "point"; "ray"; "winding"; "directions"; "cover"] [];
+  let w = read_winding places row in
+  need (w.holder = k) "the point is not about this body";
+  let y = vector (get row "point") in
+  need_free entry places.(k) y (List.map2 Q.sub x y) (Some Q.one) (Some Z.one);
+  (y, w.number)
+
+(* Points outside of the other body lead up to a point of the inner one. *)
+let need_border entry places inner =
+  keys entry ["face"; "point"; "outside"] [];
+  let x = vector (get entry "point") in
+  need (holds places.(inner) (get entry "face") x) "the face does not hold its point";
+  need (snd (need_approach (get entry "outside") places (1 - inner) x) = 0) "the segment does not begin outside"
+
+(* Whenever A has a little way to go along the direction, the interiors share a point. *)
+let need_just_before entry places along =
+  keys entry ["point"; "in_a"; "in_b"] [];
+  let x = vector (get entry "point") in
+  let in_a, of_a = need_approach (get entry "in_a") places 0 x in
+  let in_b, of_b = need_approach (get entry "in_b") places 1 x in
+  need (of_a <> 0 && of_b <> 0) "a segment does not begin inside";
+  let d = whole along in
+  let is_along p q = let v = whole (List.map2 Q.sub p q) in Z.sign (Core.zdot v d) > 0 && Core.zcross v d = zero in
+  need (is_along in_a x || is_along x in_b) "no segment is along the direction"
+
+(* All faces by the places of their corners, from the least one of each loop; a face that is not planar is its triangles. *)
+let shapes places k =
+  let unit_at p = Core.unit_at p.m p.body.core in
+  let u = unit_at places.(1 - k) in
+  let scaled (v : Core.grid) = { Core.vx = Z.mul u v.vx; vy = Z.mul u v.vy; vz = Z.mul u v.vz } in
+  let rotations loop = List.mapi (fun n _ -> drop n loop @ take n loop) loop in
+  let least loop = List.hd (List.sort compare (rotations (List.map scaled loop))) in
+  let core = places.(k).body.core in
+  List.sort compare (List.map (fun (face, _) -> List.sort compare (List.map least (Core.place_face places.(k).m core face))) core.Core.cut_faces)
+
+let need_solids bodies =
+  need_form (Array.length bodies = 2) "there are not two bodies";
+  Array.iter need_closed bodies
+
+let nowhere = [Q.zero; Q.zero; Q.zero]
 
 let prove_relation answer bodies =
-  keys answer ["ask"; "pose_a"; "pose_b"; "answer"] ("witness" :: "plane" :: "windings" :: cover_keys);
-  let places, _ = placed_pair (match answer with Object l -> Object (("question", String "solid") :: l) | _ -> answer) bodies in
+  keys answer ["ask"; "pose_a"; "pose_b"; "answer"] ("witness" :: "plane" :: "way" :: "ways" :: "border" :: "windings" :: cover_keys);
+  need_solids bodies;
+  let poses = poses_of answer nowhere in
+  let places = places_at bodies poses in
+  let parts wanted = need_parts (windings answer places) wanted in
+  let a_alone = (true, false) and b_alone = (false, true) in
   match get answer "answer" with
   | String "meet" ->
       need (Q.equal (witness (get answer "witness") places []) Q.zero) "the points are not one";
-      need (Core.check_plane (direction (get answer "plane")) places.(0).m bodies.(0).core places.(1).m bodies.(1).core) "the plane does not separate"
-  | String "overlap" ->
-      let found = windings answer places in
-      let side holder p = List.find_map (fun w -> if w.holder = holder && w.point = p then Some (w.number <> 0) else None) found in
-      let points = List.map (fun w -> w.point) found in
-      List.iter (fun wanted -> need (List.exists (fun p -> (side 0 p, side 1 p) = wanted) points) "a part of an overlap has no point")
-        [(Some true, Some true); (Some true, Some false); (Some false, Some true)]
+      need_parted answer bodies poses;
+      parts [a_alone; b_alone]
+  | String "overlap" -> parts [(true, true); a_alone; b_alone]
   | String ("disjoint" | "inside" | "contains" as said) ->
       need_gap answer places;
-      let found = windings answer places in
-      need_each_shell found places 0 (said = "inside");
-      need_each_shell found places 1 (said = "contains")
+      need_all_shells answer places (match said with "inside" -> Some 0 | "contains" -> Some 1 | _ -> None)
+  | String ("covered_by" | "covers" as said) ->
+      let inner = if said = "covered_by" then 0 else 1 in
+      need_way (get answer "way") bodies poses (Some inner);
+      need_border (get answer "border") places inner;
+      parts [if inner = 0 then b_alone else a_alone]
+  | String "equal" when has answer "ways" ->
+      (match rows (get answer "ways") with
+       | [of_a; of_b] -> need_way of_a bodies poses (Some 0); need_way of_b bodies poses (Some 1)
+       | _ -> bad "there are not two ways")
+  | String "equal" -> need (shapes places 0 = shapes places 1) "the faces are not the same"
   | _ -> bad "there is no such answer"
+
+let prove_exit answer bodies =
+  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"; "gone"; "before"] ["plane"; "way"];
+  need_solids bodies;
+  let along = vector ~number:given (get answer "direction") in
+  let first, last = match vector ~size:2 (get answer "answer") with [f; l] -> (f, l) | _ -> assert false in
+  need_form (List.exists (fun x -> Q.sign x <> 0) along && Q.sign first >= 0 && Q.leq first last) "the exits are not in order, or the direction is 0";
+  let at s = poses_of answer (List.map (Q.mul s) along) in
+  need_parted answer bodies (at first);
+  let gone = get answer "gone" in
+  keys gone ["until"; "directions"; "cover"; "windings"] [];
+  let until = exact (get gone "until") in
+  need (Q.sign until > 0) "the bodies do not part for ever";
+  let far = at (Q.add last until) in
+  let places = places_at bodies far in
+  need_moving gone Q.one true (List.combine far (at last)) bodies;
+  need_all_shells gone places None;
+  need_plane (whole along) places 1;
+  let before = rows (get answer "before") in
+  need_form (List.length before = if Q.sign first > 0 then 2 else 0) "there are not two points";
+  List.iteri (fun k row -> need_just_before row (places_at bodies (at (if k = 0 then first else last))) along) before
+
+let prove_depth answer bodies =
+  keys answer ["ask"; "pose_a"; "pose_b"; "answer"; "vector"] ["plane"; "way"];
+  need_solids bodies;
+  let v = vector (get answer "vector") in
+  need (Q.equal (List.fold_left (fun sum x -> Q.add sum (Q.mul x x)) Q.zero v) (exact (get answer "answer"))) "the translation has another length";
+  need_parted answer bodies (poses_of answer v)
 
 let prove_motion answer bodies =
   keys answer ["ask"; "question"; "from_a"; "to_a"; "from_b"; "to_b"; "answer"] ("witness" :: "windings" :: cover_keys);
@@ -644,17 +781,8 @@ let prove_motion answer bodies =
        need (solid && Q.sign hi = 0) "there is no witness";
        need (some_vertex_inside (windings answer start)) "no vertex is inside of the other solid");
   if hi <> Some Q.zero then begin
-    let over_both (x, y) = let u = unit_of (x @ y) in (pose_over u x, pose_over u y) in
-    let (a0, a1), (b0, b1) = match List.map over_both ends with [a; b] -> (a, b) | _ -> assert false in
-    let cover = cover_of (directions_of answer) (get answer "cover") in
-    let last = { Core.qnum = lo.num; qden = lo.den } in
-    let is_open = match hi with Some hi -> Q.equal lo hi | None -> false in
-    need (Core.check_motion last is_open a0 a1 bodies.(0).core b0 b1 bodies.(1).core cover) "two groups are not apart all the time";
-    if solid then begin
-      let found = windings answer start in
-      need_each_shell found start 0 false;
-      need_each_shell found start 1 false
-    end
+    need_moving answer lo (match hi with Some hi -> Q.equal lo hi | None -> false) ends bodies;
+    if solid then need_all_shells answer start None
   end
 
 (* The answers are about the numbers of the file, in order; one line serves all. *)
@@ -671,7 +799,7 @@ let need_given answers key path =
     need (List.for_all2 Q.equal said (Array.to_list (Array.sub numbers at size))) (Printf.sprintf "answer %d is not about what %s says" k path)) answers
 
 let kinds = ["collide", prove_collide; "distance", prove_distance; "within", prove_within; "inside", prove_inside; "ray", prove_ray;
-             "relation", prove_relation; "motion", prove_motion]
+             "relation", prove_relation; "motion", prove_motion; "exit", prove_exit; "depth", prove_depth]
 
 let rec show = function
   | Null -> "null"

@@ -95,6 +95,15 @@ class Query:
         kind: Literal["linear", "rigid"] = "linear",
     ) -> Union[npt.NDArray[np.float64], tuple[float, float], None]: ...
     motion = first_contact
+    def certificate(
+        self,
+        poses_b: Union[Numbers, None],
+        *,
+        ask: Literal["collide", "distance", "within", "relation", "exits", "depth"] = "collide",
+        limit: object = None,
+        direction: Any = None,
+        poses_a: Union[Numbers, None] = None,
+    ) -> dict[str, Any]: ...
     def features(self, poses_b: Union[Numbers, None], *, poses_a: Union[Numbers, None] = None) -> Union[list[npt.NDArray[Any]], npt.NDArray[Any]]: ...
     def contacts(self, poses_b: Union[Numbers, None], *, poses_a: Union[Numbers, None] = None) -> Union[list[Contacts], Contacts]: ...
     @property

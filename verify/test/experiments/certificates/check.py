@@ -80,6 +80,12 @@ class Certificates(unittest.TestCase):
             same = cls.folder / "same"
             same.write_text(PLACE.format(0, 0, 0))
             yield (*cls.asked("motion", *files, "--pose-a0", same, "--pose-a1", same, "--pose-b0", poses, "--pose-b1", ends), files, "to_b", None)
+        held = cls.folder / "held"  # places and sizes of B about the unit cube, one of each relation and more
+        held.write_text("".join("{0} 0 0 {1} 0 {0} 0 {2} 0 0 {0} {3}\n".format(*words.split()) for words in (
+            "1 0 0 0", "0.5 0 0 0.5", "0.5 0.25 1/3 0", "2 0 -0.5 -1", "2 -0.5 -0.5 0", "1 1 0.25 0", "1 0.5 0.25 1/3", "0.5 0.25 0.25 0.25", "3 -1 -1 -1", "1 3 0 0")))
+        files = [bodies["cube.off"]] * 2
+        for words in (["relation"], ["exit", "--along", "1", "0", "1/3"], ["depth", "--relative", "0.1"]):
+            yield (*cls.asked(words[0], *files, "--pose-b", held, *words[1:]), files, "pose_b", held if words[0] == "relation" else None)
         for name, file in bodies.items():
             yield (*cls.asked("inside", file, points), [file], "point", points)
             yield (*cls.asked("ray", file, rays), [file], "ray", rays)
@@ -101,8 +107,43 @@ class Certificates(unittest.TestCase):
                         self.assertAlmostEqual(float(reading.exact(value)) ** 0.5, float(line))
                     elif answer["ask"] in ("inside", "within"):
                         self.assertEqual(value, int(line))
+                    elif answer["ask"] == "relation":
+                        self.assertEqual(value, line.split()[0])
+                    elif answer["ask"] == "exit":
+                        self.assertEqual([float(reading.exact(x)) for x in value], [float(x) for x in line.split()])
+                    elif answer["ask"] == "depth":
+                        self.assertLessEqual(float(reading.exact(value)) ** 0.5, float(line.split()[1]) * (1 + 1e-15))
                     else:
                         self.assertEqual(value["face"] if value else "-", int(line.split()[0]) if line != "-" else "-")
+
+    def test_all_relations_are_among_the_proved(self):
+        said = {answer["answer"] for text, *_ in self.certificates for answer in json.loads(text)["answers"] if answer["ask"] == "relation"}
+        self.assertEqual(said, set(lies.ANSWERS["relation"]))
+
+    def test_a_way_must_leave_all_contact_and_a_border_lead_from_outside(self):
+        text, files = next((text, files) for text, _, files, *_ in self.certificates if '"covers"' in text)
+        answers = json.loads(text)["answers"]
+        row = next(k for k, answer in enumerate(answers) if answer["answer"] == "covers")
+        of = answers[row]["way"]["of"]
+        for key, value in ((("way", "pose"), answers[row]["pose_" + of]), (("way", "of"), "b" if of == "a" else "a"), (("border", "outside", "winding"), answers[row]["windings"][0])):
+            certificate = json.loads(text)
+            spoiled = certificate["answers"][row]
+            for part in key[:-1]:
+                spoiled = spoiled[part]
+            self.assertNotEqual(spoiled[key[-1]], value)
+            spoiled[key[-1]] = value
+            self.assertFalse(lies.believed(json.dumps(certificate), files))
+
+    def test_a_flat_solid_in_a_face_does_not_meet_but_is_covered(self):
+        flat = {"vertices": [["0", "0", "1"], ["1", "0", "1"], ["0", "1", "1"]], "faces": [[[0, 1, 2]], [[2, 1, 0]]]}
+        lines = CUBE.split("\n")
+        cube = {"vertices": [words.split() for words in lines[2:10]], "faces": [[[int(v) for v in words.split()[1:]]] for words in lines[10:16]]}
+        pose = PLACE.format(0, 0, 0).split()
+        touch = {"ask": "relation", "pose_a": pose, "pose_b": pose, "answer": "meet", "plane": ["0", "0", "1"], "windings": [],
+                 "witness": {"points": [["1/4", "1/4", "1"]] * 2, "faces": [5, 0]}}
+        with self.assertRaises(reading.Refused) as refusal:
+            list(check.prove(json.dumps({"certificate": "tetracone 1", "bodies": [cube, flat], "answers": [touch]})))
+        self.assertIn("a part of the solids has no point", str(refusal.exception))
 
     def test_a_model_in_the_certificate_needs_no_file(self):
         text, _ = self.asked("distance", self.folder / "cube.off", self.folder / "bent.obj", "--merge")

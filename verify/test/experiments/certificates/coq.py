@@ -55,6 +55,28 @@ SHELL = {"directions": [axis(k, s) for k in range(3) for s in (1, -1)], "cover":
 HELD = {**SHELL, "windings": [WITHIN, outside("b", 0, 0, -1)]}
 MOVE = {"from_a": at("0"), "to_a": at("0")}
 
+
+
+def side(holder, point, sign=0):
+    """A point within the body, or outside, seen by a ray along x away from it."""
+    ray = {"winding": 0, "ray": axis(0, sign), "directions": [axis(0, -sign)], "cover": 0} if sign else {"winding": 1, **cube_ray(True)}
+    return {"in": holder, "point": point, **ray}
+
+
+def approach(holder, point):
+    """From within a cube to a point in the middle of a face, or between the planes of all faces."""
+    return {"winding": side(holder, point), "directions": [axis(k, s) for k in range(3) for s in (-1, 1)], "cover": ["b", 0, 1, 2, 3, 4, 5]}
+
+
+IN_A, IN_B, ON_BOTH = ["1/2", "9/20", "7/16"], ["3/2", "9/20", "7/16"], ["1", "9/20", "7/16"]
+# B, half as large, in a corner of A, grows into its place.
+GROWS = {"of": "b", "pose": at("1/8", "1/8", "1/8", "1/4"), **SHELL, "windings": [WITHIN, outside("b", 0, 0, -1)]}
+CORNER = {"way": GROWS, "windings": [side("a", ["3/4"] * 3), side("b", ["3/4"] * 3, 1)],
+          "border": {"face": 0, "point": ["0", "1/4", "1/4"], "outside": {"winding": side("a", ["-1", "1/4", "1/4"], -1), "directions": [axis(0)], "cover": 0}}}
+# A leaves B along x; from 2 to 1 lengths of it.
+GONE = {"until": "1", "directions": [axis(0, -1)], "cover": 0, "windings": [outside("b", 0, 0, 1), outside("a", 7, 0, -1)]}
+BEFORE = {"point": ON_BOTH, "in_a": approach("a", IN_B), "in_b": approach("b", IN_A)}
+
 PAIRS = {"certificate": "tetracone 1", "bodies": [CUBE, CUBE], "answers": [
     of_pair("collide", "apart", at("3/2"), **APART),
     of_pair("collide", "apart", at("1.0000000000000002"), **OPENED),
@@ -69,7 +91,11 @@ PAIRS = {"certificate": "tetracone 1", "bodies": [CUBE, CUBE], "answers": [
     of_pair("within", 1, at("1/2", "0.45", "0.4375", "1/10"), limit="0", windings=[WITHIN]),
     of_pair("relation", "disjoint", at("3/2"), **APART),
     of_pair("relation", "contains", at("1/2", "0.45", "0.4375", "1/10"), **HELD),
-    of_pair("relation", "meet", at("1"), witness=TOUCH, plane=axis(0)),
+    of_pair("relation", "meet", at("1"), witness=TOUCH, plane=axis(0), windings=[side("a", IN_A), side("b", IN_A, -1), side("b", IN_B), side("a", IN_B, 1)]),
+    of_pair("relation", "covers", at("0", scale="1/2"), **CORNER),
+    of_pair("relation", "equal", at("0")),
+    {"ask": "exit", "pose_a": at("0"), "pose_b": at("0"), "direction": axis(0), "answer": ["1", "1"], "plane": axis(0, -1), "gone": GONE, "before": [BEFORE] * 2},
+    {"ask": "depth", "pose_a": at("0"), "pose_b": at("0"), "answer": "1", "vector": axis(0), "plane": axis(0, -1)},
     {"ask": "motion", "question": "solid", **MOVE, "from_b": at("5"), "to_b": at("3/2"), "answer": None, **APART},
     {"ask": "motion", "question": "surface", **MOVE, "from_b": at("3", "-3"), "to_b": at("0", "-1.5"), "answer": None,
      "directions": [axis(0), axis(1, -1)], "cover": ["t", "1/2", 0, 1]},
@@ -94,7 +120,8 @@ FRAME_ALONE = {"certificate": "tetracone 1", "bodies": [FRAME], "answers": [
     {"ask": "inside", "point": ["0.5", "0.25", "1"], "answer": 0, "face": 1},
 ]}
 TRUE_WRONG = {"collide": ["apart", "surfaces", "a_in_b", "b_in_a"], "distance": ["0", "1", "4", "5", "399/100"], "within": [0, 1], "inside": [-1, 0, 1],
-              "relation": ["disjoint", "meet", "inside", "contains", "overlap"], "motion": [None, ["0", "0"], ["0.25", "0.25"], ["0", "1"]],
+              "relation": ["disjoint", "meet", "inside", "contains", "overlap", "equal", "covers", "covered_by"],
+              "exit": [["0", "0"], ["1/2", "1"], ["1", "2"], ["2", "2"]], "depth": ["0", "1/4", "4"], "motion": [None, ["0", "0"], ["0.25", "0.25"], ["0", "1"]],
               "ray": [None, {"face": 0, "t": "1/3"}, {"face": 1, "t": "1"}, {"face": 3, "t": "1/2"}]}
 GIVEN = ("ask", "question", "pose_a", "pose_b", "from_a", "to_a", "from_b", "to_b", "limit", "point", "origin", "direction", "end", "answer")
 

@@ -19,6 +19,7 @@ try:
 except ImportError:
     print("skipped: no matplotlib")
     sys.exit(77)
+import figures_certificates  # noqa: E402
 import figures_motion  # noqa: E402
 import figures_overlap  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
@@ -153,6 +154,8 @@ def queries():
     return (("moving_bodies", [dict(course="plate", triangles=9, subject=s, motions=40, contacts=30, missed=m, invented=0, latest=late, static_ns=100, apart_in_statics=2,
                                     contact_in_statics=x, **MADE) for s, m, late, x in (("tetracone", 0, 0, 50), ("static 10", 30, 0, 5), ("static 100", 3, 0.01, 20),
                                                                                        ("fcl steps", 6, 0.1, 8))]),
+            ("certificates", [dict(kind=kind, asked=50, proved=proved, without_proof=50 - proved, refused=0, bytes_mean=size, bytes_most=2 * size, made_ns=1e6, checked_ns=2e6, **MADE)
+                              for kind, proved, size in (("collide apart", 50, 3000), ("relation meet", 40, 5000), ("motion rigid", 0, 0))]),
             ("contacts", [dict(scenario="circular", object="x", triangles=9, method=m, poses=4, pairs=10, ns=ns, ratio=ns / 2000, lost=lost,
                                invented=0, **MADE) for m, ns, lost in (("tetracone", 2000, 0), ("FCL", 9000, 3))]),
             ("distance", [dict(trajectory="gaps", triangles=12, subject="FCL RSS", question="distance", poses=5, mean_ns=1234567, mean_ulps=2.5,
@@ -335,6 +338,20 @@ class Whole_report(unittest.TestCase):
         section = re.search('<section id="depths">(.*?)</section>', self.page, re.DOTALL).group(1)
         self.assertIn("<td>round</td><td>Bullet</td><td>10</td><td>1</td><td>0</td><td>2</td><td>4</td><td>3</td><td>0.25</td><td>0.5</td><td>1</td><td>2</td>", section)
         self.assertIn("20 answers of other libraries, and 4 brackets", section)
+
+    def test_certificates_are_drawn_by_the_share_that_is_proved(self):
+        self.assertIn("150 answers, 90 proved, 0 refused", self.page)
+        with open(f"{self.out}/figures/certificates.svg", encoding="utf-8") as file:
+            drawing = file.read()
+        for text in ("collide apart", "relation meet", "motion rigid", "answers proved", "size, kB", "time, ms"):
+            self.assertIn(text, drawing)
+        rows = [dict((k, str(v)) for k, v in r.items()) for name, some in queries() if name == "certificates" for r in some]
+        figure, axes = plt.subplots(1, 2)
+        figures_certificates.shares(axes[0], rows)
+        figures_certificates.costs(axes[1], rows, (("bytes_mean", "blue", "mean"),), 1000, "size, kB")
+        self.assertEqual([bar.get_width() for bar in axes[0].patches], [100, 80, 0])
+        self.assertEqual(list(axes[1].get_lines()[0].get_xdata()), [3, 5])  # of what has a proof
+        plt.close(figure)
 
     def test_a_crash_is_told_with_its_last_words(self):
         self.assertIn("<td>mine</td><td>signal 11</td><td>7</td><td><small>out of &lt;memory&gt;</small></td>", self.page)

@@ -81,6 +81,67 @@ BOOST_AUTO_TEST_CASE(collisions_and_distances_are_proved)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_query_gives_its_certificate)
+{
+  for (const auto& a : bodies())
+    for (const auto& b : bodies()) {
+      Query query{Body(a), Body(b)};
+      Certificate certificate(query);
+      for (const Pose& pose : poses()) {
+        BOOST_TEST(certificate.collide(query, Pose(), pose).relation() == query.collide(Pose(), pose).relation());
+        BOOST_TEST(certificate.distance(query, Pose(), pose).squared == query.nearest(Pose(), pose).squared);
+        BOOST_TEST(certificate.within(query, Pose(), pose, "1.5") == query.within(Pose(), pose, "1.5"));
+      }
+      BOOST_TEST(certificate.without_proof() == 0);
+      BOOST_TEST(is_proved(certificate));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(solids_that_touch_are_proved)
+{
+  const auto cube = [](double size, double x, double y, double z) {
+    return Pose(std::array<double, 12>{size, 0, 0, x, 0, size, 0, y, 0, 0, size, z});
+  };
+  using tetracone::Solid_relation;
+  const Body one(scenes::unit_cube()), hollow(scenes::cube_with_cavity());
+  Query same(one, one), held(one, hollow);
+  Certificate of_cubes(same), of_hollow(held);
+  const auto is_so = [](Certificate& certificate, Query& query, const Pose& pose, Solid_relation expected) {
+    BOOST_TEST(certificate.relation(query, pose, Pose()).relation == expected);
+    BOOST_TEST(certificate.without_proof() == 0);
+  };
+  is_so(of_cubes, same, Pose(), Solid_relation::equal);
+  is_so(of_cubes, same, cube(0.5, 0, 0, 0), Solid_relation::covered_by);
+  is_so(of_cubes, same, cube(0.5, 0.25, 0.25, 0), Solid_relation::covered_by);
+  is_so(of_cubes, same, cube(2, 0, -0.5, 0), Solid_relation::covers);
+  is_so(of_cubes, same, cube(1, 1, 0.25, 0), Solid_relation::meet);
+  is_so(of_cubes, same, cube(1, 0.5, 0.25, 0), Solid_relation::overlap);
+  is_so(of_cubes, same, cube(0.5, 0.25, 0.25, 0.25), Solid_relation::inside);
+  is_so(of_cubes, same, cube(3, -1, -1, -1), Solid_relation::contains);
+  is_so(of_cubes, same, cube(1, 3, 0, 0), Solid_relation::disjoint);
+  BOOST_TEST(is_proved(of_cubes));
+  // No plane is between bodies of which one fills the cavity of the other, or touches its walls.
+  is_so(of_hollow, held, cube(4, -2, -2, -2), Solid_relation::meet);
+  is_so(of_hollow, held, cube(1, 1, 0, 0), Solid_relation::meet);
+  is_so(of_hollow, held, cube(1, 2, 0, 0), Solid_relation::covered_by);
+  is_so(of_hollow, held, cube(1, -0.5, -0.5, 3), Solid_relation::meet);
+  BOOST_TEST(is_proved(of_hollow));
+}
+
+BOOST_AUTO_TEST_CASE(exits_and_depths_are_proved)
+{
+  const Body cube(scenes::unit_cube());
+  Query query(cube, cube);
+  Certificate certificate(query);
+  for (const Pose& pose : {Pose(), Pose::translation(0.75, 0.5, 0), Pose::translation(3, 0, 0),
+                           Pose::from_quaternion(3, 1, 2, 5, {0, 0, 0})}) {
+    certificate.exits(query, pose, Pose(), {"1", "0", "1/3"});
+    certificate.depth(query, pose, Pose());
+  }
+  BOOST_TEST(certificate.without_proof() == 0);
+  BOOST_TEST(is_proved(certificate));
+}
+
 BOOST_AUTO_TEST_CASE(points_and_rays_are_proved)
 {
   const double infinite = std::numeric_limits<double>::infinity();

@@ -3,7 +3,9 @@
 
 import copy
 import doctest
+import json
 import os
+import pathlib
 import pickle
 import signal
 import subprocess
@@ -20,6 +22,7 @@ import numpy as np
 import tetracone
 from tetracone import Body, Error, Query
 
+CHECKER = pathlib.Path(__file__).resolve().parents[4] / "experiments/certificates/check.py"
 IDENTITY = np.eye(3, 4)
 TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 # A square frame: a face above and one below, each with a hole, and eight walls.
@@ -230,6 +233,20 @@ class Answers(Case):
         self.assertEqual(one["exact_vector"], (Fraction(3, 4), 0, 0))
         self.error("depth: a relative width of 2; expected a number from 0 to below 1",
                    lambda: query.depth(IDENTITY, relative=2))
+
+    def test_certificates_are_proved_by_the_checker(self):
+        query, poses = Query(Body(*CUBE), Body(*TETRAHEDRON)), random_poses(12, 3)
+        asked = {"collide": {}, "distance": {}, "within": {"limit": Fraction(1, 3)}, "relation": {}, "exits": {"direction": [1, 0, "1/3"]}, "depth": {}}
+        for ask, more in asked.items():
+            proofs = query.certificate(poses, ask=ask, **more)
+            run = subprocess.run(["/usr/bin/python3", "-B", CHECKER, "-"], input=json.dumps(proofs) + "\n", capture_output=True, text=True)
+            self.assertEqual(run.stdout, "proved\n", ask)
+            if ask in ("collide", "distance", "within"):
+                self.assertEqual(len(proofs["answers"]), len(poses))
+        said = [answer["answer"] != "apart" for answer in query.certificate(poses)["answers"]]
+        self.assertEqual(said, query.collide(poses).tolist())
+        self.assertEqual(query.certificate(None, poses_a=poses[0])["answers"][0]["pose_b"], ["1", "0", "0", "0"] + ["0", "1", "0", "0"] + ["0", "0", "1", "0"])
+        self.error("certificate: ask 'volume'; expected collide, distance, within, relation, exits or depth", query.certificate, poses, ask="volume")
 
     def test_poses_of_both_bodies_go_by_keyword(self):
         cube = Body(*CUBE)
