@@ -10,6 +10,7 @@
 #include <cfenv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_scene)
@@ -18,6 +19,88 @@ using namespace tetracone;
 namespace scenes = verify::scenes;
 
 namespace {
+
+/// The models of the tests: round, flat, hollow, and one to fit the hollow.
+std::vector<Body> bodies()
+{
+  return {Body(scenes::triangulated(scenes::torus(12, 8))), Body(scenes::unit_cube()), Body(scenes::cube_with_cavity()),
+          Body(scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}))};
+}
+
+/// Small steps, jumps, rests, and steps on a grid, where bodies touch.
+class Walk {
+ public:
+  explicit Walk(std::uint64_t seed) : random_(seed) {}
+
+  Pose next(const std::optional<Pose>& last)
+  {
+    const int kind = scenes::integer(random_, 0, 9);
+    if (last && kind < 4) return *last;
+    std::array<double, 12> m = last ? last->rows() : Pose().rows();
+    if (last && kind < 8) {
+      for (double& x : m) x += scenes::real(random_, -1, 1) * (kind < 6 ? 0.001 : 0.05);
+    } else {
+      const auto turned = Pose::from_text({"3/5", "-4/5", "0", "0", "4/5", "3/5", "0", "0", "0", "0", "1", "0"});
+      if (kind == 9) m = turned.rows();
+      for (int i = 0; i < 3; ++i) m[4 * i + 3] = scenes::integer(random_, -9, 9) * 0.5;
+    }
+    return Pose(m);
+  }
+
+ private:
+  scenes::Random random_;
+};
+
+/// By a query of its own for every pair and frame.
+class Truth {
+ public:
+  std::vector<Body> models = bodies();
+
+  bool collide(std::size_t model_a, const Pose& a, std::size_t model_b, const Pose& b, Question question) const
+  {
+    Query query(models[model_a], models[model_b], question);
+    return bool(query.collide(a, b));
+  }
+};
+
+void check_walk(const Scene_options& options, std::size_t n, int frames, bool by_makers = false)
+{
+  const Truth truth;
+  Scene scene(options);
+  for (const Body& body : truth.models)
+    if (by_makers)
+      scene.add_model([body] { return Body(body.polyhedron()); }, "made");
+    else
+      scene.add_model(body);
+  std::vector<std::size_t> model_of;
+  std::vector<std::optional<Pose>> poses(n);
+  for (std::size_t k = 0; k < n; ++k) scene.add_body(model_of.emplace_back(k % truth.models.size()));
+  scene.ignore(3, 1);
+  Walk walk(n);
+  std::size_t found = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    if (frame == frames / 2) {
+      scene.remove_body(2);
+      scene.set_model(0, 3);
+      model_of[0] = 3;
+    }
+    for (std::size_t k = 0; k < n; ++k)
+      if (k != 2 || frame < frames / 2) {
+        if (frame % 4 == 1 && k % 3 == 0 && poses[k]) scene.place(k, walk.next(poses[k]));  // and on from there
+        scene.place(k, *(poses[k] = walk.next(poses[k])));
+      }
+    std::vector<Scene_pair> expected;
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = a + 1; b < n; ++b)
+        if (!(a == 1 && b == 3) && (frame < frames / 2 || (a != 2 && b != 2)) &&
+            truth.collide(model_of[a], *poses[a], model_of[b], *poses[b], options.question))
+          expected.push_back({a, b});
+    BOOST_REQUIRE_MESSAGE(scene.pairs() == expected, "frame " << frame);
+    BOOST_REQUIRE_MESSAGE(scene.pairs() == expected, "frame " << frame << ", asked again");
+    found += expected.size();
+  }
+  BOOST_TEST(found > 0u);
+}
 
 /// A chain of rings that turn and sway by small steps, in contact now and then; and one beside the chain's first. Each
 /// rests now and then, and one jumps away and back.
@@ -104,6 +187,19 @@ std::size_t check_rings(const Scene_options& options, bool by_makers = false)
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(a_frame_has_exactly_the_pairs_that_collide)
+{
+  check_walk({}, 24, 40);
+  check_walk({.question = Question::surface}, 24, 30);
+  check_walk({.threads = 3}, 24, 30);
+  check_walk({.query = {.kernel = Kernel::rational}}, 8, 6);
+  // With this many bodies, the trees of their models are built before their boxes.
+  check_walk({}, 48, 6);
+  check_walk({.threads = 2}, 48, 6);
+}
+
+BOOST_AUTO_TEST_CASE(models_that_are_given_back_change_no_answer) { check_walk({.memory = 400000}, 24, 12, true); }
 
 BOOST_AUTO_TEST_CASE(fronts_that_near_pairs_keep_change_no_answer)
 {
