@@ -106,7 +106,8 @@ const std::vector<Named_depth_peer>& depth_peers()
 {
   static const std::vector<Named_depth_peer> all = {
 #ifdef TETRACONE_WITH_FCL
-      {"FCL libccd", "FCL, collide of two Convex with contact: the GJK solver of libccd, and EPA", fcl_libccd_depth},
+      {"FCL libccd", "FCL, collide of two Convex with contact: the solver of libccd, whose contacts are of MPR",
+       fcl_libccd_depth},
       {"FCL own", "FCL, collide of two Convex with contact: its own GJK solver, and EPA", fcl_own_depth},
 #endif
 #ifdef TETRACONE_WITH_CCD

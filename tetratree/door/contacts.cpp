@@ -1,8 +1,10 @@
 #include "tetracone/tetratree/door/contacts.h"
 
 #include "tetracone/kernel/contact/corner_point.h"
+#include "tetracone/kernel/contact/rational_map.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/interval.h"
+#include "tetracone/kernel/number/nearest_root.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/contacts_data.h"
 
@@ -122,6 +124,28 @@ bool is_narrow(const kernel::Number_point<Interval>& x)
   return widest <= 0x1p-41 * largest;
 }
 
+/// Returns the unit vector along the image of a face's normal n under the inverse transpose of M. Where det M < 0, the
+/// placed loops turn the other way as seen from outside, and the image of n still points outward.
+Enclosure placed_normal(const covering::Polyhedron& polyhedron, Index face, const kernel::Pose& pose)
+{
+  const Rational_point n = detail::exact_normal(polyhedron, face);
+  const kernel::Rational_map map(pose);
+  Rational_point along = {0, 0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rational_point column = kernel::cross(map.column(int(k + 1) % 3), map.column(int(k + 2) % 3));
+    for (std::size_t i = 0; i < 3; ++i) along[i] += sgn(map.determinant()) * n[k] * column[i];
+  }
+  const Rational square = kernel::dot(along, along);
+  Enclosure unit{};
+  if (sgn(square) == 0) return unit;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [low, high] = kernel::enclosed_root_sum(std::array{Rational(along[i] * along[i] / square)});
+    unit.lower[i] = sgn(along[i]) < 0 ? -high : low;
+    unit.upper[i] = sgn(along[i]) < 0 ? -low : high;
+  }
+  return unit;
+}
+
 Loops exactly(const Contacts_data& data, std::size_t k)
 {
   const tetratree::Found_piece& piece = data.found.pieces[k];
@@ -178,6 +202,14 @@ std::vector<std::vector<Enclosure>> Contacts::loops(std::size_t k) const
     for (const Rational_point& x : loop) loops.back().push_back(enclosure(x));
   }
   return loops;
+}
+
+std::array<Enclosure, 2> contact_normals(const Contacts& contacts, std::size_t k)
+{
+  const detail::Contacts_data& data = contacts.data();
+  const tetratree::Found_piece& piece = data.found.pieces[k];
+  return {placed_normal(data.a->polyhedron, piece.face_a, data.pose_a),
+          placed_normal(data.b->polyhedron, piece.face_b, data.pose_b)};
 }
 
 std::vector<std::vector<std::array<std::string, 3>>> Contacts::exact_loops(std::size_t k) const

@@ -80,6 +80,11 @@ class Contacts {
   std::shared_ptr<const detail::Contacts_data> data_;
 };
 
+/// Returns the unit normals of the placed faces of A and of B of piece k. They are outward where faces are oriented
+/// outward, also under a pose that mirrors. Bounds of a coordinate are equal or neighbours. All are 0 for a face
+/// without area. Requires k < contacts.size().
+std::array<Enclosure, 2> contact_normals(const Contacts& contacts, std::size_t k);
+
 }  // namespace tetracone
 
 #endif

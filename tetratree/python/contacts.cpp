@@ -1,6 +1,5 @@
 #include "tetracone/tetratree/python/contacts.h"
 
-#include "tetracone/tetratree/door/contact_normals.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <gmpxx.h>

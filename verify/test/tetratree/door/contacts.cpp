@@ -1,6 +1,5 @@
 #include "tetracone/tetratree/door/contacts.h"
 
-#include "tetracone/tetratree/door/contact_normals.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/self_touching.h"
