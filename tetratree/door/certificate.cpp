@@ -329,8 +329,8 @@ struct Certificate::Data {
 
   using Winding_row = std::pair<std::string, int>;
 
-  /// Returns the winding number of a point in body `holder` as a row, and the number; nothing as `winding`. `of` has the
-  /// point's key and value.
+  /// Returns the winding number of a point in body `holder` as a row, and the number; nothing as `winding`. `of` has
+  /// the point's key and value.
   std::optional<Winding_row> winding_row(Placed_pair& pair, int holder, const std::string& of, const Exact_vector& x)
   {
     std::string row = "{";
