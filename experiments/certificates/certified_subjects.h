@@ -11,8 +11,8 @@
 namespace tetracone::experiments {
 
 /// The subjects "certified tree" of campaigns: the library's default answers, each with its certificate, which the
-/// checker of experiments/certificates/ proves. A certificate that is refused is a failure. Relations, exits, depths and
-/// motions may have no proof, which is counted. Each running subject has a checker of its own: a process of
+/// checker of experiments/certificates/ proves. A certificate that is refused is a failure. Relations, exits, depths
+/// and motions may have no proof, which is counted. Each running subject has a checker of its own: a process of
 /// /usr/bin/python3, or of the program that TETRACONE_CHECKER names.
 verify::Object_subject certified_objects();         ///< of collisions, distances, relations, exits and depths
 verify::Point_subject certified_points();           ///< of points inside, on the surface and outside

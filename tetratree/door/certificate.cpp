@@ -329,8 +329,8 @@ struct Certificate::Data {
 
   using Winding_row = std::pair<std::string, int>;
 
-  /// Returns the winding number of a point in body `holder` as a row, and the number; nothing as `winding`. `of` has the
-  /// point's key and value.
+  /// Returns the winding number of a point in body `holder` as a row, and the number; nothing as `winding`. `of` has
+  /// the point's key and value.
   std::optional<Winding_row> winding_row(Placed_pair& pair, int holder, const std::string& of, const Exact_vector& x)
   {
     std::string row = "{";
@@ -1079,6 +1079,19 @@ bool Certificate::first_contact(const Motion& a, const Motion& b, Question quest
 
 namespace {
 
+/// Returns the direction, multiplied by a power of 2: the search for a cover rounds it.
+Exact_vector of_length_near_1(const std::array<double, 3>& direction)
+{
+  double largest = 0;
+  for (const double x : direction) largest = kernel::maximum(largest, std::abs(x));
+  const int power = std::ilogb(largest);
+  Exact_vector scaled;
+  for (std::size_t k = 0; k < 3; ++k)
+    scaled[k] = power < 0 ? Exact_number(std::ldexp(direction[k], -power))
+                          : Exact_number(Exact_number(direction[k]) * Exact_number(std::ldexp(1.0, -power)));
+  return scaled;
+}
+
 /// Returns where the ray meets the face first, exactly.
 Rational first_time(const covering::Polyhedron& polyhedron, Index f, const kernel::Rational_ray& ray)
 {
@@ -1141,7 +1154,7 @@ void Certificate::first_hit(const Ray& ray, const std::optional<Ray_hit>& answer
   };
   probe.start = weighted(exact_ray.origin);
   if (!t)
-    probe.direction = {ray.direction[0], ray.direction[1], ray.direction[2]};
+    probe.direction = of_length_near_1(ray.direction);
   else if (*t != 0)
     probe.end = weighted(last);
   Probe_cover cover(body, probe);
