@@ -43,8 +43,8 @@ enum class Coherence {
 /// - a plane between the bodies (`Separating_direction`);
 /// - the descent of pairs of boxes: the larger box is opened, and its eight parts are tested against the other box.
 ///   That box is carried into their frame with a slack that covers all rounding, the pose's included;
-/// - pairs of elements, which the signs of K decide. Where exact signs tell a pair apart, `Separating_face` may find that
-///   the plane of one parts the bodies.
+/// - pairs of elements, which the signs of K decide. Where exact signs tell a pair apart, `Separating_face` may find
+///   that the plane of one parts the bodies.
 ///
 /// So the answer equals testing all elements against all elements, and is exact where these signs are. For solids whose
 /// surfaces share no point, `Bvh8_containment` decides whether one holds the other.
