@@ -21,8 +21,8 @@ enum class Adaptive_stage {
 constexpr std::size_t stage_count = static_cast<std::size_t>(Adaptive_stage::exact) + 1;
 
 /// The number of the adaptive kernel's signs that each stage decided. A sign that `sides` or `triangle_contacts8`
-/// filters with others is not counted. The sign of four points of one pose counts for the stage that decides the sign
-/// of their vertices.
+/// filters with others is not counted, nor one that `Kept_sides` has kept. The sign of four points of one pose counts
+/// for the stage that decides the sign of their vertices.
 class Stage_counts {
  public:
   std::uint64_t& operator[](Adaptive_stage stage) { return count_[static_cast<std::size_t>(stage)]; }

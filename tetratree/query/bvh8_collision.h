@@ -43,7 +43,8 @@ enum class Coherence {
 /// - a plane between the bodies (`Separating_direction`);
 /// - the descent of pairs of boxes: the larger box is opened, and its eight parts are tested against the other box.
 ///   That box is carried into their frame with a slack that covers all rounding, the pose's included;
-/// - pairs of elements, which the signs of K decide.
+/// - pairs of elements, which the signs of K decide. Where exact signs tell a pair apart, `Separating_face` may find
+///   that the plane of one parts the bodies.
 ///
 /// So the answer equals testing all elements against all elements, and is exact where these signs are. For solids whose
 /// surfaces share no point, `Bvh8_containment` decides whether one holds the other.
@@ -320,8 +321,8 @@ class Bvh8_collision {
     count(trees);
   }
 
-  /// True when some pair of leaves that the descent does not discard meets, which becomes the witness; nothing where the
-  /// plane of a triangle separates the bodies.
+  /// True when some pair of leaves that the descent does not discard meets, which becomes the witness; nothing where
+  /// the plane of a triangle separates the bodies.
   std::optional<bool> descend_trees(Pair_memory* memory)
   {
     Both_trees trees = both_trees();
