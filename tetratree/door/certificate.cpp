@@ -713,7 +713,7 @@ struct Certificate::Data {
         Face face(polyhedron.loop_count(f));
         for (std::size_t l = 0; l < face.size(); ++l) {
           for (const Index v : polyhedron.loop(f, l)) face[l].push_back(pair.body[k].points.exact[v]);
-          std::ranges::rotate(face[l], std::ranges::min_element(face[l]));
+          std::rotate(face[l].begin(), std::ranges::min_element(face[l]), face[l].end());
         }
         std::ranges::sort(face);
         faces[k].push_back(std::move(face));
