@@ -72,11 +72,11 @@ class Separating_face {
     for (Index v = 0; v <= last; v += 3) {
       const auto vertex = [&](Index k) { return &other.placed.point(kernel::minimum(v + k, last)); };
       const Corners points = {vertex(0), vertex(1), vertex(2)};
-      const kernel::Some_sides sides = kernel::filtered_sides(triangle, points);
+      const kernel::Some_sides filtered = kernel::filtered_sides(triangle, points);
       for (std::size_t k = 0; k < 3; ++k)
-        if (!sides.is_decided[k])
+        if (!filtered.is_decided[k])
           near_.push_back(points[k]);
-        else if (!is_beyond(sides.side[k]))
+        else if (!is_beyond(filtered.side[k]))
           return false;
     }
     for (std::size_t n = 0; n < near_.size(); n += 3) {
