@@ -12,7 +12,6 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 
 namespace tetracone::kernel {
@@ -216,7 +215,8 @@ class Adaptive_fixed : public Adaptive_points {
     static thread_local std::size_t last = 0;
     if (pose.is_rational()) return pose.fixed_map();
     const auto is_of_pose = [&pose](const Made& map) {
-      return std::memcmp(&map.entries, &pose.entries(), sizeof map.entries) == 0;
+      using Bits = std::array<std::uint64_t, 12>;
+      return std::bit_cast<Bits>(map.entries) == std::bit_cast<Bits>(pose.entries());
     };
     if (!is_of_pose(made[last])) {
       last = 1 - last;

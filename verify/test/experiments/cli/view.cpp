@@ -148,7 +148,8 @@ BOOST_AUTO_TEST_CASE(solids_say_how_they_stand_and_what_bounds_their_overlap)
   for (const std::string& a : {models + "frame.poly", cube, models + "tetrahedron.poly"})
     for (const std::string& b : {models + "frame.poly", cube, models + "tetrahedron.poly"}) {
       int overlaps = 0;
-      for (const Json& each : Page(a + " " + b + " --pose-b " + in_quotes(moved.path())).data["solids"]) {
+      const Json found = Page(a + " " + b + " --pose-b " + in_quotes(moved.path())).data["solids"];
+      for (const Json& each : found) {
         if (!each.contains("parts")) continue;
         ++overlaps;
         BOOST_TEST(bounded_by(each["parts"]) == each["volume"].get<double>(), boost::test_tools::tolerance(1e-4));
