@@ -253,7 +253,7 @@ class Whole_report(unittest.TestCase):
         expected = {"speed_against_accuracy", "speed_against_accuracy_cold", "errors_by_distance", "errors_by_parameter", "flips",
                     "thresholds", "sign_maps", "frames_per_second",
                     "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits", "budget", "demand", "first_contacts",
-                    "depths"}
+                    "depths", "certificates"}
         self.assertEqual({name for name, _ in figures}, expected)
         self.assertEqual(self.page.count("<svg"), len(figures), "a drawing outside a figure")
         for name, figure in figures:
