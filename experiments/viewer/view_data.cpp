@@ -1,11 +1,12 @@
 #include "experiments/viewer/view_data.h"
 
 #include "experiments/support/progress.h"
-#include "experiments/viewer/overlap_parts.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/signs.h"
+#include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/relation_solver.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/subjects/predicate_subject.h"
@@ -21,6 +22,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -227,8 +229,17 @@ Json out_data(Query& query, const Pose& pose_a, const Pose& pose_b, const View_w
   return {{"vector", vector}, {"first", exits.first}, {"last", exits.last}};
 }
 
+/// Returns what finds the border of an overlap: the library makes no mesh of it. Requires closed bodies.
+std::unique_ptr<detail::Relation_solver> overlap_solver(const Body& a, const Body& b)
+{
+  const auto shared = [](const Body& body) {  // the copy keeps the data
+    return std::shared_ptr<const detail::Body_data>(&detail::data_of(body), [body](const detail::Body_data*) {});
+  };
+  return detail::relation_solver(shared(a), shared(b));
+}
+
 /// How solids stand, and the border of their overlap, of which at most `parts_left` parts are told.
-Json solids_data(Query& query, Overlap_parts& overlap, const Pose& pose_a, const Pose& pose_b,
+Json solids_data(Query& query, detail::Relation_solver& overlap, const Pose& pose_a, const Pose& pose_b,
                  const std::optional<View_way_out>& way, std::size_t& parts_left)
 {
   const Solid_contact contact = query.solid_relation(pose_a, pose_b);
@@ -237,14 +248,15 @@ Json solids_data(Query& query, Overlap_parts& overlap, const Pose& pose_a, const
   const auto [low, high] = query.overlap_bounds(pose_a, pose_b).volume;
   row["volume"] = short_number(low / 2 + high / 2);
   if (way) row["out"] = out_data(query, pose_a, pose_b, *way);
-  const std::vector<Overlap_parts::Corners> parts = overlap.at(pose_a, pose_b);
+  const auto parts = overlap.overlap_border(pose_a, pose_b);
   row["parts"] = nullptr;
   if (parts.size() > parts_left) return row;
   parts_left -= parts.size();
   row["parts"] = Json::array();
-  for (const Overlap_parts::Corners& part : parts) {
+  for (const auto& part : parts) {
     Json numbers = Json::array();
-    for (const auto& corner : part) append(numbers, corner);
+    for (const auto& [x, y, z] : part)
+      append(numbers, std::array{kernel::nearest_double(x), kernel::nearest_double(y), kernel::nearest_double(z)});
     row["parts"].push_back(std::move(numbers));
   }
   return row;
@@ -313,8 +325,9 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(),
        left = Json::array(), contacts = Json::array(), nearest = Json::array(), solids = Json::array();
   std::size_t parts_left = most_parts;
-  std::optional<Overlap_parts> overlap;
-  if (query && scene.question == kernel::Question::solid) overlap.emplace(scene.bodies[0].body, scene.bodies[1].body);
+  std::unique_ptr<detail::Relation_solver> overlap;
+  if (query && scene.question == kernel::Question::solid)
+    overlap = overlap_solver(scene.bodies[0].body, scene.bodies[1].body);
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
     const Pose &pose_a = scene.poses.of_a(k), &pose_b = scene.poses.of_b(k);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace tetracone::detail {
 
@@ -32,6 +33,10 @@ class Relation_solver {
   virtual kernel::Solid_contact relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Overlap_bounds overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  /// Returns convex parts of faces that together bound the overlap, each point of its surface with area in one of them.
+  /// Corners are anticlockwise as seen from outside the overlap; of four, two may be equal.
+  virtual std::vector<std::vector<kernel::Rational_point>> overlap_border(const kernel::Pose& pose_a,
+                                                                          const kernel::Pose& pose_b) = 0;
   /// Requires a direction other than 0.
   virtual Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
                       const std::array<kernel::Rational, 3>& direction) = 0;

@@ -87,6 +87,15 @@ class Bvh8_relation_solver : public Relation_solver {
     return bounds;
   }
 
+  std::vector<std::vector<kernel::Rational_point>> overlap_border(const kernel::Pose& pose_a,
+                                                                  const kernel::Pose& pose_b) override
+  {
+    std::vector<std::vector<kernel::Rational_point>> parts;
+    place(pose_a, pose_b, contacts(pose_a, pose_b));
+    exactly().pair.for_border_parts([&](const auto& corners) { parts.emplace_back(corners.begin(), corners.end()); });
+    return parts;
+  }
+
   Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
               const std::array<kernel::Rational, 3>& direction) override
   {
