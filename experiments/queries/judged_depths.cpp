@@ -39,15 +39,10 @@ struct Shape {
 /// Returns a pose, turned at random, of which the translation has at most this length.
 kernel::Pose turned(verify::Random& random, double length)
 {
-  const auto [w, x, y, z] = random.quaternion();
-  const verify::Rotation turn = verify::rotation(w, x, y, z);
+  std::array<double, 12> rows = verify::object_family::double_rotation(random).entries();
   const std::array<double, 3> along = random.direction();
   const double way = length * std::abs(random.symmetric());
-  std::array<double, 12> rows{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::ranges::copy(turn[i], rows.begin() + std::ptrdiff_t(4 * i));
-    rows[4 * i + 3] = way * along[i];
-  }
+  for (std::size_t i = 0; i < 3; ++i) rows[4 * i + 3] = way * along[i];
   return kernel::Pose(rows);
 }
 

@@ -8,6 +8,7 @@
 #include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
@@ -172,13 +173,8 @@ void run_measures(const Experiment_options& options)
   Poses poses;
   for (int k = 0; k < options.race_frames; ++k) {
     const auto turned = [&random] {
-      const auto [w, x, y, z] = random.quaternion();
-      const verify::Rotation rows = verify::rotation(w, x, y, z);
-      std::array<double, 12> entries{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        std::ranges::copy(rows[i], entries.begin() + std::ptrdiff_t(4 * i));
-        entries[4 * i + 3] = random.symmetric() / 2;
-      }
+      std::array<double, 12> entries = verify::object_family::double_rotation(random).entries();
+      for (std::size_t i = 0; i < 3; ++i) entries[4 * i + 3] = random.symmetric() / 2;
       return kernel::Pose(entries);
     };
     poses.emplace_back(turned(), turned());

@@ -5,6 +5,7 @@
 #include "experiments/support/output_file.h"
 #include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
@@ -39,12 +40,7 @@ std::vector<Stand> stands(Query& query, int count, double overlap, std::uint64_t
   verify::Random random(seed);
   std::vector<Stand> stands;
   for (int k = 0; k < count; ++k) {
-    const auto q = random.quaternion();
-    const verify::Rotation turn = verify::rotation(q[0], q[1], q[2], q[3]);
-    std::array<double, 12> rows{};
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) rows[4 * i + j] = turn[i][j];
-    const Pose centred(rows);
+    const Pose centred(verify::object_family::double_rotation(random).entries());
     const std::array<double, 3> direction = random.direction();
     const double way = query.exits(centred, Pose(), direction).last;
     stands.push_back({moved(centred, direction, way - overlap), direction});

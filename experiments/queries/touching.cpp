@@ -81,16 +81,12 @@ const std::vector<Kind>& kinds()
 /// The poses of both boxes in a frame of the axes, or of one that is turned.
 std::pair<kernel::Pose, kernel::Pose> poses(const Numbers& offset, bool is_turned, verify::Random& random)
 {
-  verify::Rotation turn = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  if (is_turned) {
-    const auto [w, x, y, z] = random.quaternion();
-    turn = verify::rotation(w, x, y, z);
-  }
+  const kernel::Pose turn = is_turned ? verify::object_family::double_rotation(random) : kernel::Pose();
   std::array<double, 12> a{}, b{};
   for (std::size_t i = 0; i < 3; ++i) {
     a[4 * i + 3] = b[4 * i + 3] = std::ldexp(verify::object_family::integer(random, -1'000'000, 1'000'000), -20);
     for (std::size_t k = 0; k < 3; ++k) {
-      a[4 * i + k] = b[4 * i + k] = std::ldexp(std::round(std::ldexp(turn[i][k], 40)), -40);
+      a[4 * i + k] = b[4 * i + k] = std::ldexp(std::round(std::ldexp(turn[int(4 * i + k)], 40)), -40);
       b[4 * i + 3] += a[4 * i + k] * offset[k] / 4;  // exact: multiples of 2^-42 below 2^5
     }
   }
