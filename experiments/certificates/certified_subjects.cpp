@@ -51,8 +51,9 @@ Table& table()
 /// A checker as a process that proves certificates, one after the other.
 class Checker {
  public:
-  /// Proves the certificate that make() returns, and counts its cost as that of a kind of answer. An answer without a
-  /// proof is counted. Throws std::runtime_error, with the checker's line, where the certificate is refused.
+  /// Proves the certificate that make() returns, and counts its cost, with the answer's, as that of a kind of answer,
+  /// which make() may find. An answer without a proof is counted. Throws std::runtime_error, with the checker's line,
+  /// where the certificate is refused.
   template <class Make>
   void prove(const std::string& kind, const Make& make)
   {
@@ -118,11 +119,13 @@ class Certified_objects : public verify::Running_subject {
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
     return outcome(c, [&] {
-      const Relation relation = query(c, question).collide(c.pose_a, c.pose_b).relation();
-      checker_.prove("collide " + std::string(kernel::to_string(relation)), [&] {
-        Query asked = query(c, question);
+      Query asked = query(c, question);
+      Relation relation{};
+      std::string kind;
+      checker_.prove(kind, [&] {
         Certificate certificate(asked);
-        certificate.collide(asked, c.pose_a, c.pose_b);
+        relation = certificate.collide(asked, c.pose_a, c.pose_b).relation();
+        kind = "collide " + std::string(kernel::to_string(relation));
         return certificate;
       });
       return relation != Relation::apart;
@@ -134,9 +137,12 @@ class Certified_objects : public verify::Running_subject {
     verify::Distance_answer answer;
     const Outcome told = outcome(c, [&] {
       Query asked = query(c, question);
-      Certificate certificate(asked);
-      answer = {certificate.distance(asked, c.pose_a, c.pose_b), asked.distance(c.pose_a, c.pose_b)};
-      checker_.prove("distance", [&] { return std::move(certificate); });
+      checker_.prove("distance", [&] {
+        Certificate certificate(asked);
+        answer.nearest = certificate.distance(asked, c.pose_a, c.pose_b);
+        return certificate;
+      });
+      answer.alone = asked.distance(c.pose_a, c.pose_b);
       return true;
     });
     return {told, std::move(answer)};
@@ -146,9 +152,12 @@ class Certified_objects : public verify::Running_subject {
   {
     return outcome(c, [&] {
       Query asked = query(c, question);
-      Certificate certificate(asked);
-      const bool answer = certificate.within(asked, c.pose_a, c.pose_b, limit);
-      checker_.prove("within", [&] { return std::move(certificate); });
+      bool answer = false;
+      checker_.prove("within", [&] {
+        Certificate certificate(asked);
+        answer = certificate.within(asked, c.pose_a, c.pose_b, limit);
+        return certificate;
+      });
       return answer;
     });
   }
@@ -269,9 +278,12 @@ class Certified_probes : public verify::Running<Probe_case, Answer> {
         body_.emplace(triangulated_body(*c.body));
         polyhedron_ = c.body;
       }
-      Certificate certificate(*body_);
-      Answer answer = ask_(*body_, c, certificate);
-      checker_.prove(std::is_same_v<Answer, int> ? "inside" : "ray", [&] { return std::move(certificate); });
+      Answer answer{};
+      checker_.prove(std::is_same_v<Answer, int> ? "inside" : "ray", [&] {
+        Certificate certificate(*body_);
+        answer = ask_(*body_, c, certificate);
+        return certificate;
+      });
       return answer;
     });
   }
