@@ -200,7 +200,7 @@ lego::Cells any_cells(tetracone::verify::Random& random)
   lego::Cell low, high;
   for (std::size_t k = 0; k < 3; ++k) {
     low[k] = below(random, 3);
-    high[k] = low[k] + 1 + below(random, 4 - low[k]);
+    high[k] = low[k] + 1 + below(random, 3 - low[k]);
   }
   lego::Cells cells = lego::block(low, high);
   const int kept = 3 + below(random, 3);  // of 5
@@ -233,8 +233,8 @@ BOOST_AUTO_TEST_CASE(bricks_stand_as_counting_says_in_every_frame)
     if (kind == 0) b = a;
     if (kind == 1) b.insert(b.end(), a.begin(), a.end());
     if (kind == 2) a.insert(a.end(), b.begin(), b.end());
-    if (kind == 3) b = {{lego::block({-1, -1, -1}, {5, 5, 5})}};
-    if (kind == 4) a = {{lego::block({-1, -1, -1}, {5, 5, 5})}};
+    if (kind == 3) b = {{lego::block({-1, -1, -1}, {4, 4, 4})}};
+    if (kind == 4) a = {{lego::block({-1, -1, -1}, {4, 4, 4})}};
     const tetracone::verify::Solid_overlap expected = lego::overlap(a, b, offset);
     ++seen[expected.contact.relation];
     const Pose frame = round % 3 == 0 ? Pose()
