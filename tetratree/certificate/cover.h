@@ -34,7 +34,7 @@ void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign,
                               kernel::dot(size, kernel::Rounded_vector{std::abs(rounded[v][0]), std::abs(rounded[v][1]),
                                                                        std::abs(rounded[v][2])}));
   }
-  const bool is_rounded = kernel::maximum(kernel::maximum(size[0], size[1]), size[2]) >= least;
+  const bool is_rounded = kernel::maximum(size[0], size[1], size[2]) >= least;
   const double behind = is_rounded ? last - rounding * largest : -HUGE_VAL;
   for (const std::uint32_t v : hull.corners)
     if (!(kernel::dot(way, rounded[v]) < behind)) each(v);

@@ -541,6 +541,18 @@ struct Certificate::Data {
     return {{Rational(middle[0]), Rational(middle[1]), Rational(middle[2])}, size};
   }
 
+  /// Returns the pieces that share a point.
+  static std::array<kernel::Exact_face, 2> faces_of(Placed_pair& pair, const tetratree::Common_point& met)
+  {
+    return {pair.body[0].face(met.piece[0]), pair.body[1].face(met.piece[1])};
+  }
+
+  /// True when m is a direction along which hull a ends where hull b begins, or before.
+  static bool leads_between(const Exact_vector& m, const kernel::Hull& a, const kernel::Hull& b)
+  {
+    return m != Exact_vector{0, 0, 0} && !(tetratree::extent_of(a, m, 1) > tetratree::extent_of(b, m, -1));
+  }
+
   /// Returns where bodies may come from: smaller ones, or larger ones about another that they hold, and ones aside.
   std::vector<Start> starts(const Poses& poses, Placed_pair& pair, int inside, const tetratree::Common_point& met)
   {
@@ -562,10 +574,8 @@ struct Certificate::Data {
         const Rational factor = inside == int(1 - k) ? 1 + share : 1 - share;
         add(k, factor, {(1 - factor) * middle[0], (1 - factor) * middle[1], (1 - factor) * middle[2]});
       }
-    const std::array<kernel::Hull, 2> hull = {pair.body[0].hull(met.piece[0]), pair.body[1].hull(met.piece[1])};
-    for (const Exact_vector& m :
-         parting_directions({pair.body[0].face(met.piece[0]), pair.body[1].face(met.piece[1])})) {
-      if (m == Exact_vector{0, 0, 0} || kernel::extent(hull[0], m, 1) > kernel::extent(hull[1], m, -1)) continue;
+    for (const Exact_vector& m : parting_directions(faces_of(pair, met))) {
+      if (!leads_between(m, pair.body[0].hull(met.piece[0]), pair.body[1].hull(met.piece[1]))) continue;
       Rational_point aside = in_lowest_terms(rational(m));
       const Rational longest = longest_part(aside);
       for (Rational& x : aside) x *= -Rational(size / 16) / longest;
@@ -593,10 +603,8 @@ struct Certificate::Data {
   /// Appends why the interiors share no point: a plane between the bodies, or a way of one without contact.
   bool parted(std::string& text, const Poses& poses, Placed_pair& pair, const tetratree::Common_point& met)
   {
-    const kernel::Hull a = pair.body[0].hull({}), b = pair.body[1].hull({});
-    for (const Exact_vector& m :
-         parting_directions({pair.body[0].face(met.piece[0]), pair.body[1].face(met.piece[1])})) {
-      if (m == Exact_vector{0, 0, 0} || kernel::extent(a, m, 1) > kernel::extent(b, m, -1)) continue;
+    for (const Exact_vector& m : parting_directions(faces_of(pair, met))) {
+      if (!leads_between(m, pair.body[0].hull({}), pair.body[1].hull({}))) continue;
       add_key(text, "plane");
       text += strings_of(in_lowest_terms(rational(m)));
       return true;

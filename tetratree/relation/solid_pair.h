@@ -302,8 +302,8 @@ class Solid_pair {
     }
   }
 
-  /// Returns of each cell of a face 1 where it bounds the overlap from above, as seen along the axis, -1 where it does
-  /// from below, else 0. A cell that lies on several faces counts once.
+  /// Returns a number for each cell of a face: 1 where it bounds the overlap from above, as seen along the axis, -1
+  /// where it does from below, else 0. A cell that lies on several faces counts once.
   std::vector<int> weights(int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen)
   {
     std::vector<int> weights(cells.size(), 0);
