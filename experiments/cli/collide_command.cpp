@@ -36,7 +36,7 @@ struct Collide_options {
   std::string csv, question = "solid", kernel = "adaptive", method = "tree", curves, certificate;
   std::vector<std::string> compare;
   Subject_options others;
-  bool features = false, contacts = false, exact = false, relation = false, json = false, time = false;
+  bool features = false, contacts = false, exact = false, normals = false, relation = false, json = false, time = false;
   int repeat = 1;
 
   /// True when lists are asked for instead of answers; they need no solid.
@@ -147,7 +147,7 @@ std::string contacts_of(Query& query, const Placed_models& scene, const Collide_
     progress.step();
   }
   if (!options.curves.empty()) curves = curves_text(contacts[0].curves(), options.curves);
-  return contact_rows(contacts, scene.a, scene.b, {options.json, !options.csv.empty(), options.exact});
+  return contact_rows(contacts, scene.a, scene.b, {options.json, !options.csv.empty(), options.exact, options.normals});
 }
 
 /// Returns the answers of an external program. Each failure has a line on stderr and sets `failed`.
@@ -186,6 +186,7 @@ void require_contact_options(const Collide_options& options)
   require(options.contacts, options.compare.empty(), "--compare", "expected without --contacts");
   require(options.contacts, !rounds, "--contacts", "expected with an exact kernel: adaptive, epeck or rational");
   require(options.exact, options.contacts, "--exact", "expected with --contacts");
+  require(options.normals, options.contacts, "--normals", "expected with --contacts");
   require(!options.curves.empty(), options.contacts, "--curves", "expected with --contacts");
   require(!options.curves.empty(), is_curve_file(options.curves), "--curves", "expected a file *.obj or *.ply");
   require(!options.certificate.empty(), !options.lists(), "--certificate",
@@ -341,6 +342,11 @@ void add_collide_command(CLI::App& app)
   command->add_flag("--contacts", options->contacts,
                     "All pairs of faces that meet, and where, instead of the answer: points, segments and polygons");
   command->add_flag("--exact", options->exact, "With --contacts: fractions instead of the nearest doubles");
+  command->add_flag(
+      "--normals", options->normals,
+      "With --contacts: behind each piece the unit normals of the faces of A and B, outward where faces are "
+      "oriented outward; each component is at most one unit in the last place off; --json has the doubles "
+      "on both sides");
   command->add_option(
       "--curves", options->curves,
       "With --contacts: write the segments, joined into chains and loops, to this file, *.obj or *.ply");

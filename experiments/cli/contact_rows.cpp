@@ -44,6 +44,23 @@ Json piece_json(const Contact_piece& piece, const Loops& loops)
           {"in_a", to_string(piece.in_a)}, {"in_b", to_string(piece.in_b)}, {"loops", std::move(all)}};
 }
 
+/// The doubles below and above the unit normals of the faces of piece k.
+Json normals_json(const Contacts& contacts, std::size_t k)
+{
+  Json both = Json::array();
+  for (const Enclosure& normal : contact_normals(contacts, k)) both.push_back({normal.lower, normal.upper});
+  return both;
+}
+
+std::string normals_text(const Contacts& contacts, std::size_t k, const std::string& separator)
+{
+  std::string text;
+  for (const Enclosure& normal : contact_normals(contacts, k))
+    for (const double x : normal.lower) text += separator + kernel::shortest(x);
+  return text;
+}
+
+/// A line without its end.
 template <class Loops>
 std::string piece_line(std::size_t pose, const Contact_piece& piece, const Loops& loops, const std::string& separator)
 {
@@ -56,7 +73,7 @@ std::string piece_line(std::size_t pose, const Contact_piece& piece, const Loops
         line += separator + coordinate_text(number);
       else if (separator == ",")
         line += separator;
-  return line + "\n";
+  return line;
 }
 
 template <class What>
@@ -102,19 +119,26 @@ std::string contact_rows(const std::vector<Contacts>& contacts, const Model_file
     Json poses = Json::array();
     for (std::size_t pose = 0; pose < contacts.size(); ++pose) {
       Json pieces = Json::array();
-      for (const auto& [k, piece] : pieces_of(contacts[pose], a, b))
+      for (const auto& [k, piece] : pieces_of(contacts[pose], a, b)) {
         pieces.push_back(with_loops(contacts[pose], k, format.exact,
                                     [&, &piece = piece](const auto& loops) { return piece_json(piece, loops); }));
+        if (format.normals) pieces.back()["normals"] = normals_json(contacts[pose], k);
+      }
       poses.push_back({{"pose", pose}, {"contacts", std::move(pieces)}});
     }
     return poses.dump(1) + "\n";
   }
-  std::string text = format.csv ? "pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1\n" : "";
+  std::string text;
+  if (format.csv)
+    text = std::string("pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1") + (format.normals ? ",ax,ay,az,bx,by,bz\n" : "\n");
   const std::string separator = format.csv ? "," : " ";
   for (std::size_t pose = 0; pose < contacts.size(); ++pose)
-    for (const auto& [k, piece] : pieces_of(contacts[pose], a, b))
+    for (const auto& [k, piece] : pieces_of(contacts[pose], a, b)) {
       text += with_loops(contacts[pose], k, format.exact,
                          [&, &piece = piece](const auto& loops) { return piece_line(pose, piece, loops, separator); });
+      if (format.normals) text += normals_text(contacts[pose], k, separator);
+      text += '\n';
+    }
   return text;
 }
 

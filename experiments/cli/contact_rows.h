@@ -15,11 +15,13 @@ namespace tetracone::experiments {
 struct Contact_format {
   bool json = false, csv = false;  ///< neither: blanks between words, no header
   bool exact = false;              ///< fractions "n/d" instead of the nearest doubles
+  bool normals = false;            ///< the unit normals of both faces behind each piece
 };
 
 /// Returns the contacts of all poses, one line per piece: `pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1`. A point is given
-/// twice; a polygon, which is "coplanar", has no coordinates. JSON adds the loops of all pieces and the features of
-/// either face that contain them. Faces have their numbers in the files.
+/// twice; a polygon, which is "coplanar", has no coordinates. Normals add `ax,ay,az,bx,by,bz`, doubles at most one unit
+/// in the last place off. JSON adds the loops of all pieces, the features of either face that contain them, and the
+/// doubles on both sides of each normal. Faces have their numbers in the files.
 std::string contact_rows(const std::vector<Contacts>& contacts, const Model_file& a, const Model_file& b,
                          const Contact_format& format);
 

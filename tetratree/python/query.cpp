@@ -282,41 +282,7 @@ py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object
   std::vector<Overlap> found(poses.count);
   ask_all(self, poses,
           [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.overlap(a, b); });
-  const auto fraction = py::module_::import("fractions").attr("Fraction");
-  const auto fractions = [&](const std::array<std::string, 3>& x) {
-    return py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2]));
-  };
-  const auto doubles = [&](const auto& values_of) {
-    const auto width = py::ssize_t(values_of(Overlap()).size());
-    py::array_t<double> array(width == 1 ? std::vector<py::ssize_t>{py::ssize_t(found.size())}
-                                         : std::vector<py::ssize_t>{py::ssize_t(found.size()), width});
-    double* at = array.mutable_data();
-    for (const Overlap& each : found)
-      for (const double x : values_of(each)) *at++ = x;
-    return array;
-  };
-  py::list exact_volumes, exact_centroids, exact_vectors;
-  for (const Overlap& each : found) {
-    exact_volumes.append(fraction(each.exact_volume()));
-    exact_centroids.append(fractions(each.exact_centroid()));
-    exact_vectors.append(fractions(each.exact_contact_vector()));
-  }
-  py::dict columns;
-  columns["volume"] = doubles([](const Overlap& each) { return std::array{each.volume}; });
-  columns["centroid"] = doubles([](const Overlap& each) { return each.centroid; });
-  columns["contact_area"] = doubles([](const Overlap& each) { return each.contact_area; });
-  columns["contact_vector"] = doubles([](const Overlap& each) { return each.contact_vector; });
-  columns["exact_volume"] = exact_volumes;
-  columns["exact_centroid"] = exact_centroids;
-  columns["exact_contact_vector"] = exact_vectors;
-  return poses.is_one() ? single_values(columns) : columns;
-}
-
-std::array<std::string, 3> direction_of(const py::object& direction)
-{
-  const py::tuple given(direction);
-  if (given.size() != 3) throw Error("exits: a direction of " + std::to_string(given.size()) + " numbers; expected 3");
-  return {exact_text(given[0]), exact_text(given[1]), exact_text(given[2])};
+  return overlap_columns(found, poses.is_one());
 }
 
 py::dict exits(Locked_query& self, const py::object& direction, const py::object& poses_b, const py::args& more,
@@ -328,21 +294,7 @@ py::dict exits(Locked_query& self, const py::object& direction, const py::object
   std::vector<Exits> found(poses.count);
   ask_all(self, poses,
           [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.exits(a, b, along); });
-  const auto fraction = py::module_::import("fractions").attr("Fraction");
-  py::array_t<double> first(py::ssize_t(found.size())), last(py::ssize_t(found.size()));
-  py::list exact_first, exact_last;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    first.mutable_data()[k] = found[k].first;
-    last.mutable_data()[k] = found[k].last;
-    exact_first.append(fraction(found[k].exact_first));
-    exact_last.append(fraction(found[k].exact_last));
-  }
-  py::dict columns;
-  columns["first"] = first;
-  columns["last"] = last;
-  columns["exact_first"] = exact_first;
-  columns["exact_last"] = exact_last;
-  return poses.is_one() ? single_values(columns) : columns;
+  return exit_columns(found, poses.is_one());
 }
 
 py::dict depth(Locked_query& self, const py::object& poses_b, double relative, std::size_t budget,
@@ -353,28 +305,7 @@ py::dict depth(Locked_query& self, const py::object& poses_b, double relative, s
   ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
     found[k] = query.depth(a, b, {relative, budget});
   });
-  const auto fraction = py::module_::import("fractions").attr("Fraction");
-  const auto count = py::ssize_t(found.size());
-  py::array_t<double> bounds(std::vector<py::ssize_t>{count, 2}), vectors(std::vector<py::ssize_t>{count, 3});
-  py::array_t<bool> exact(count);
-  py::list squares, exact_vectors;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const Depth& each = found[k];
-    bounds.mutable_data()[2 * k] = each.low;
-    bounds.mutable_data()[2 * k + 1] = each.high;
-    std::copy(each.vector.begin(), each.vector.end(), vectors.mutable_data() + 3 * k);
-    exact.mutable_data()[k] = each.is_exact;
-    squares.append(fraction(each.exact_square));
-    const auto& x = each.exact_vector;
-    exact_vectors.append(py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2])));
-  }
-  py::dict columns;
-  columns["bounds"] = bounds;
-  columns["vector"] = vectors;
-  columns["is_exact"] = exact;
-  columns["exact_square"] = squares;
-  columns["exact_vector"] = exact_vectors;
-  return poses.is_one() ? single_values(columns) : columns;
+  return depth_columns(found, poses.is_one());
 }
 
 py::object certificate(Locked_query& self, const py::object& poses_b, const std::string& ask, const py::object& limit,
@@ -514,6 +445,90 @@ std::shared_ptr<Locked_query> made_query(const Python_body& a, const Python_body
 }
 
 }  // namespace
+
+std::array<std::string, 3> direction_of(const py::object& direction)
+{
+  const py::tuple given(direction);
+  if (given.size() != 3) throw Error("exits: a direction of " + std::to_string(given.size()) + " numbers; expected 3");
+  return {exact_text(given[0]), exact_text(given[1]), exact_text(given[2])};
+}
+
+py::dict overlap_columns(std::span<const Overlap> found, bool is_one)
+{
+  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  const auto fractions = [&](const std::array<std::string, 3>& x) {
+    return py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2]));
+  };
+  const auto doubles = [&](const auto& values_of) {
+    const auto width = py::ssize_t(values_of(Overlap()).size());
+    py::array_t<double> array(width == 1 ? std::vector<py::ssize_t>{py::ssize_t(found.size())}
+                                         : std::vector<py::ssize_t>{py::ssize_t(found.size()), width});
+    double* at = array.mutable_data();
+    for (const Overlap& each : found)
+      for (const double x : values_of(each)) *at++ = x;
+    return array;
+  };
+  py::list exact_volumes, exact_centroids, exact_vectors;
+  for (const Overlap& each : found) {
+    exact_volumes.append(fraction(each.exact_volume()));
+    exact_centroids.append(fractions(each.exact_centroid()));
+    exact_vectors.append(fractions(each.exact_contact_vector()));
+  }
+  py::dict columns;
+  columns["volume"] = doubles([](const Overlap& each) { return std::array{each.volume}; });
+  columns["centroid"] = doubles([](const Overlap& each) { return each.centroid; });
+  columns["contact_area"] = doubles([](const Overlap& each) { return each.contact_area; });
+  columns["contact_vector"] = doubles([](const Overlap& each) { return each.contact_vector; });
+  columns["exact_volume"] = exact_volumes;
+  columns["exact_centroid"] = exact_centroids;
+  columns["exact_contact_vector"] = exact_vectors;
+  return is_one ? single_values(columns) : columns;
+}
+
+py::dict exit_columns(std::span<const Exits> found, bool is_one)
+{
+  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  py::array_t<double> first(py::ssize_t(found.size())), last(py::ssize_t(found.size()));
+  py::list exact_first, exact_last;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    first.mutable_data()[k] = found[k].first;
+    last.mutable_data()[k] = found[k].last;
+    exact_first.append(fraction(found[k].exact_first));
+    exact_last.append(fraction(found[k].exact_last));
+  }
+  py::dict columns;
+  columns["first"] = first;
+  columns["last"] = last;
+  columns["exact_first"] = exact_first;
+  columns["exact_last"] = exact_last;
+  return is_one ? single_values(columns) : columns;
+}
+
+py::dict depth_columns(std::span<const Depth> found, bool is_one)
+{
+  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  const auto count = py::ssize_t(found.size());
+  py::array_t<double> bounds(std::vector<py::ssize_t>{count, 2}), vectors(std::vector<py::ssize_t>{count, 3});
+  py::array_t<bool> exact(count);
+  py::list squares, exact_vectors;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Depth& each = found[k];
+    bounds.mutable_data()[2 * k] = each.low;
+    bounds.mutable_data()[2 * k + 1] = each.high;
+    std::copy(each.vector.begin(), each.vector.end(), vectors.mutable_data() + 3 * k);
+    exact.mutable_data()[k] = each.is_exact;
+    squares.append(fraction(each.exact_square));
+    const auto& x = each.exact_vector;
+    exact_vectors.append(py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2])));
+  }
+  py::dict columns;
+  columns["bounds"] = bounds;
+  columns["vector"] = vectors;
+  columns["is_exact"] = exact;
+  columns["exact_square"] = squares;
+  columns["exact_vector"] = exact_vectors;
+  return is_one ? single_values(columns) : columns;
+}
 
 void add_query(py::module_& module)
 {

@@ -3,6 +3,7 @@
 #include "tetracone/tetratree/python/arrays.h"
 #include "tetracone/tetratree/python/body.h"
 #include "tetracone/tetratree/python/motions.h"
+#include "tetracone/tetratree/python/query.h"
 #include "tetracone/tetratree/python/texts.h"
 #include "tetracone/tetratree/python/unlocked.h"
 #include "tetracone/tetratree/scene/scene.h"
@@ -325,6 +326,37 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           a, b,
           "solid_relation(a, b)\n\nWhich of the eight relations of solids holds for two placed bodies, as "
           "`Query.solid_relation`.")
+      .def(
+          "overlap",
+          [](Locked_scene& self, std::size_t first, std::size_t second) {
+            const Overlap found = self.alone([&](Scene& scene) { return scene.overlap(first, second); });
+            return overlap_columns({&found, 1}, true);
+          },
+          a, b,
+          "overlap(a, b)\n\nHow much two placed bodies overlap and touch: as `Query.overlap` says of one pose of each.")
+      .def(
+          "exits",
+          [](Locked_scene& self, const py::object& direction, std::size_t first, std::size_t second) {
+            const std::array<std::string, 3> along = direction_of(direction);
+            const Exits found = self.alone([&](Scene& scene) { return scene.exits(first, second, along); });
+            return exit_columns({&found, 1}, true);
+          },
+          py::arg("direction"), a, b,
+          "exits(direction, a, b)\n\nHow far a placed body must be moved along a direction for it and another to part: "
+          "as "
+          "`Query.exits` says of one pose of each.")
+      .def(
+          "depth",
+          [](Locked_scene& self, std::size_t first, std::size_t second, double relative, std::size_t budget) {
+            const Depth found = self.alone([&](Scene& scene) {
+              return scene.depth(first, second, {relative, budget});
+            });
+            return depth_columns({&found, 1}, true);
+          },
+          a, b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 20000,
+          "depth(a, b, *, relative=1e-9, budget=20000)\n\nThe least translation of a placed body for it and another to "
+          "part: as "
+          "`Query.depth` says of one pose of each.")
       .def(
           "contacts",
           [](Locked_scene& self, std::size_t first, std::size_t second) {

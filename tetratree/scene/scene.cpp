@@ -79,6 +79,18 @@ Overlap Scene::overlap(std::size_t a, std::size_t b)
     return query.overlap(pose_a, pose_b);
   });
 }
+Exits Scene::exits(std::size_t a, std::size_t b, const std::array<std::string, 3>& direction)
+{
+  return data_->ask(a, b, [&direction](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
+    return query.exits(pose_a, pose_b, direction);
+  });
+}
+Depth Scene::depth(std::size_t a, std::size_t b, const Depth_options& options)
+{
+  return data_->ask(a, b, [&options](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
+    return query.depth(pose_a, pose_b, options);
+  });
+}
 Contacts Scene::contacts(std::size_t a, std::size_t b)
 {
   return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <compare>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -145,6 +146,11 @@ class Scene {
   Solid_contact solid_relation(std::size_t body_a, std::size_t body_b);
   /// Returns how much they overlap. Throws as `solid_relation`.
   Overlap overlap(std::size_t body_a, std::size_t body_b);
+  /// Returns how far the first must be moved along a direction for them to part. Throws as `relation`, and as
+  /// `Query::exits`.
+  Exits exits(std::size_t body_a, std::size_t body_b, const std::array<std::string, 3>& direction);
+  /// Returns the least translation of the first for them to part. Throws as `relation`, and as `Query::depth`.
+  Depth depth(std::size_t body_a, std::size_t body_b, const Depth_options& options = {});
   /// Returns all pairs of their faces that share a point. Throws as `relation`, and as `Query::contacts`.
   Contacts contacts(std::size_t body_a, std::size_t body_b);
   /// Returns their distance. Throws as `relation`, and as `Query::distance`.

@@ -68,6 +68,11 @@ BOOST_AUTO_TEST_CASE(contacts_are_rows_fractions_polygons_and_curves)
   BOOST_TEST(!contains(rows.out, "0.3"), rows.out);
   const Run polygons = run(words + in_quotes(touching.path()) + " --json");
   BOOST_TEST(contains(polygons.out, "\"kind\": \"coplanar\""), polygons.out);
+  // B's left side lies on A's right one.
+  const std::string normals = run(words + in_quotes(touching.path()) + " --normals --csv /dev/stdout").out;
+  BOOST_TEST(normals.starts_with("pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1,ax,ay,az,bx,by,bz\n0,"), normals);
+  BOOST_TEST(contains(normals, ",coplanar,,,,,,,1,0,0,-1,0,0\n"), normals);
+  BOOST_TEST(contains(run(words + in_quotes(touching.path()) + " --normals --json").out, "\"normals\""));
   const Temporary_file curves("curves.obj", "");
   BOOST_TEST(run(words + in_quotes(overlapping.path()) + " --curves " + in_quotes(curves.path())).status == 0);
   const std::string text = contents(curves.path());
@@ -76,6 +81,7 @@ BOOST_AUTO_TEST_CASE(contacts_are_rows_fractions_polygons_and_curves)
 
   check_refused("collide " + cube + " " + cube + " --contacts --kernel float", "an exact kernel");
   check_refused("collide " + cube + " " + cube + " --exact", "expected with --contacts");
+  check_refused("collide " + cube + " " + cube + " --normals", "expected with --contacts");
   check_refused("collide " + cube + " " + cube + " --contacts --curves out.txt", "*.obj or *.ply");
   check_refused("collide " + cube + " " + cube + " --contacts --csv ./x.obj --curves x.obj", "another file");
 }

@@ -206,6 +206,11 @@ class Answers(Case):
         scene = tetracone.Scene([Body(*CUBE)] * 2)
         scene.frame(poses[[5, 2]])
         self.assertEqual(scene.solid_relation(0, 1), ("meet", 2))
+        scene.frame(poses[[5, 1]])
+        self.assertEqual(scene.overlap(0, 1)["exact_centroid"], (Fraction(3, 4), Fraction(1, 2), Fraction(1, 2)))
+        self.assertEqual(scene.overlap(0, 1)["contact_area"].tolist(), [2, 2])
+        self.assertEqual(scene.exits([0, -2, 0], 0, 1)["exact_last"], Fraction(1, 2))
+        self.assertEqual(scene.depth(0, 1)["exact_vector"], (Fraction(-1, 2), 0, 0))
         self.error("query: kernel double tells no relation of solids; expected adaptive",
                    Query(Body(*CUBE), Body(*CUBE), kernel="double").solid_relation, IDENTITY)
 
