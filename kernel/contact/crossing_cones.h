@@ -78,8 +78,8 @@ class Cone_sums<Interval> {
   Number_point<Interval> moment = {0, 0, 0};
 };
 
-/// Terms are added in pairs, then pairs of pairs, so that terms of many digits meet late. A denominator is the product
-/// of the crossings that its terms know, each once. Other common factors are divided out at the end.
+/// Terms are added in pairs, then the pairs in pairs, so that few additions are of many digits. A denominator is the
+/// product of the `bottom` of all crossings of its terms, each once. Other common factors are divided out at the end.
 template <>
 class Cone_sums<mpz_class> {
  public:

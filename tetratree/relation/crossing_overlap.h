@@ -75,7 +75,7 @@ class Integer_placing {
   std::array<std::array<mpz_class, 12>, 2> map_;
 };
 
-/// The vertices of two bodies in intervals, from a point near them. Requires upward rounding.
+/// The placed vertices of two bodies in intervals, relative to a point near them. Requires upward rounding.
 class Interval_placing {
  public:
   using Number = Interval;
