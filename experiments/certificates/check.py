@@ -8,7 +8,8 @@ A and B are the model files: OFF, OBJ or TetGen's .poly. A body that stands in t
 file's numbers, in order; KEY is pose_a, pose_b, from_a, to_a, from_b, to_b, point or ray. Prints a line an answer.
 Status 0: all are proved. 1: one is refused. 2: bad input.
 
-Coordinates are integers here: those of all bodies are multiplied by one common denominator, the `scale`."""
+Coordinates are integers here: those of all bodies are multiplied by one common denominator, the `scale`.
+A function prove_X states in its text what it proves, and raises Refused where the proof does not show that."""
 import argparse
 import json
 import sys

@@ -36,7 +36,7 @@ double ulps_between(double x, double y)
   return double(std::abs(place(x) - place(y)));
 }
 
-/// The fastest time of each pose in nanoseconds, and the answers of the first pass.
+/// The fastest time of each pose, in nanoseconds, and the answers of the first pass.
 struct Timed_distances {
   std::vector<double> fastest, answers;
 

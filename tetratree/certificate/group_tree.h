@@ -76,7 +76,8 @@ class Group_tree {
     return members;
   }
 
-  /// Writes the members of this group, too, since a cover names them. Requires that those above it are written.
+  /// Makes `write` write the members of this group, since a cover names them. Requires that the groups above it are
+  /// opened.
   void open(Box_id box) { opened_.insert(box); }
 
   bool is_opened() const { return !opened_.empty(); }
