@@ -49,8 +49,8 @@ class Obj_statements {
   explicit Obj_statements(Text_lines& lines) : lines_(lines) {}
 
   /// Goes to the next statement; false at the end. A line that ends in a backslash goes on in the next. A name may end
-  /// in one, too (`g C:\parts\`): a vertex or a face in the next line is a statement of its own, unless the backslash
-  /// ends a vertex or a face.
+  /// in one, too (`g C:\parts\`). So a vertex or a face in the next line is a statement of its own, unless the line
+  /// before is a vertex or a face.
   bool next()
   {
     words_.clear();

@@ -274,7 +274,7 @@ inline Scan scan_stl_text(const std::string& file, std::string_view text)
   return scan;
 }
 
-/// True when the file is text: it begins with `solid` and holds no zero byte, and its size is not right for a binary
+/// True when the file is text. It then begins with `solid` and holds no zero byte, and its size is not that of a binary
 /// file with its count of triangles.
 inline bool is_stl_text(std::string_view text)
 {

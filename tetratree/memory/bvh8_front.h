@@ -50,9 +50,9 @@ namespace tetracone::tetratree {
 /// same order, may share a query object and keep a front each. A front is not for two threads at a time.
 class Bvh8_front {
  public:
-  /// The result for a pair of leaves: elements meet, or `gap` is a lower bound of the distance of any two, in A's local
-  /// units; 0 if unknown. `axis` is the direction of the gap, of length 1, from A's to B's; 0 if several directions
-  /// were used.
+  /// The result for a pair of leaves. Either elements meet, or `gap` is a lower bound of the distance of any two, in
+  /// A's local units; 0 if unknown. `axis` is the direction of the gap, of length 1, from A's to B's; 0 if several
+  /// directions were used.
   struct Leaf_gap {
     bool meet = false;
     double gap = 0;

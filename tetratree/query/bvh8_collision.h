@@ -321,8 +321,8 @@ class Bvh8_collision {
     count(trees);
   }
 
-  /// True when some pair of leaves that the descent does not discard meets, which becomes the witness; nothing where
-  /// the plane of a triangle separates the bodies.
+  /// True when some pair of leaves that the descent does not discard meets; that pair becomes the witness. Nothing
+  /// where the plane of a triangle separates the bodies.
   std::optional<bool> descend_trees(Pair_memory* memory)
   {
     Both_trees trees = both_trees();

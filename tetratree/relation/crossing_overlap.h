@@ -108,8 +108,8 @@ class Interval_placing {
 /// True when vertex v of a body is in the other solid. It is asked for vertices that are not on the other surface.
 using Is_vertex_inside = std::function<bool(int body, Index v)>;
 
-/// The overlap of two simple solids in general position: all that their surfaces share are segments, at whose ends an
-/// edge of one goes through the inside of a face of the other. No face needs to be cut into cells then.
+/// The overlap of two simple solids in general position. All that their surfaces share are segments, and at each end an
+/// edge of one solid goes through the inside of a face of the other. No face needs to be cut into cells then.
 template <class Placing>
 class Crossing_overlap {
  public:

@@ -276,8 +276,8 @@ class Solid_pair {
     });
   }
 
-  /// Calls of_cells(body, face, cells, seen cells) and of_whole(body, face, weight) for all faces that may bound the
-  /// overlap: those of which cells have to be looked at, and whole triangles that bound it.
+  /// Visits all faces that may bound the overlap. Calls of_cells(body, face, cells, seen cells) for those of which
+  /// cells have to be looked at, and of_whole(body, face, weight) for whole triangles that bound it.
   template <class Of_cells, class Of_whole>
   void for_border(const Of_cells& of_cells, const Of_whole& of_whole)
   {
