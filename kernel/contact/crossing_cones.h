@@ -18,6 +18,7 @@
 /// intervals, whose sums are enclosures.
 namespace tetracone::kernel {
 
+/// Returns the sign. Throws CGAL::Uncertain_conversion_exception where an interval does not tell it.
 inline int certain_sign(const mpz_class& x) { return sgn(x); }
 inline int certain_sign(const Interval& x) { return CGAL::make_certain(CGAL::sign(x)); }
 

@@ -75,12 +75,14 @@ Number_point<N> normal(const Convex_piece<N>& piece)
 {
   return product(edge(piece, 0), step(piece.corner[0], piece.corner[2]));
 }
+/// Returns a direction across z that is perpendicular to the edge.
 template <class N>
 Number_point<N> beside(const Number_point<N>& edge)
 {
   return {N(-edge[1]), edge[0], N(0)};
 }
 
+/// Returns the direction of an axis.
 template <class N>
 Number_point<N> direction(const Shift_axis& axis, const Convex_piece<N>& a, const Convex_piece<N>& b)
 {

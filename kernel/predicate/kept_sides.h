@@ -28,6 +28,7 @@ class Kept_sides {
   /// Returns the number of calls so far in which the filter left a sign undecided.
   std::uint64_t undecided() const { return undecided_; }
 
+  /// Returns the bytes of the cache.
   std::size_t bytes() const { return kept_.capacity() * sizeof(Kept); }
 
  private:

@@ -40,11 +40,13 @@ class Group_tree {
   /// Returns the element that is piece n.
   const Element& piece(std::size_t n) const { return element(order_[n]); }
 
+  /// What a cover needs of a group.
   struct Group {
     std::vector<std::uint32_t> corners;  ///< all vertices of its pieces, each once unless it is one piece
     Index least_face;                    ///< of the source faces
   };
 
+  /// Returns the group of a box. The reference stays valid.
   const Group& group(Box_id box)
   {
     const auto found = groups_.find(box);

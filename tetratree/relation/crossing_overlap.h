@@ -51,6 +51,7 @@ class Integer_placing {
       }
   }
 
+  /// Returns the placed vertex, times `scale`.
   kernel::Number_point<mpz_class> operator()(int body, const kernel::Vertex& v) const
   {
     kernel::Number_point<mpz_class> x, image;
@@ -94,6 +95,7 @@ class Interval_placing {
     }
   }
 
+  /// Returns an enclosure of the placed vertex less `origin`.
   kernel::Number_point<Interval> operator()(int body, const kernel::Vertex& v) const
   {
     return kernel::image(v, map_[body]);

@@ -27,6 +27,7 @@ using kernel::Rational_point;
 struct Normal_sides {
   bool along = false, against = false;
 
+  /// True when the solid is not beside the point on some side.
   bool any_out() const { return !along || !against; }
 };
 

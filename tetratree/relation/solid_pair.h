@@ -76,6 +76,7 @@ class Solid_pair {
     }
   }
 
+  /// Returns A for body 0, B for body 1.
   Placed_solid& solid(int body) { return solid_[body]; }
 
   /// Returns which relation the placed solids have. Requires `place`.

@@ -70,6 +70,7 @@ class Solid_sides {
       if (!faces_[f].is_plain && !std::ranges::binary_search(uneven_, f)) see_cells(f);
   }
 
+  /// Returns the sides of face `f`.
   const Face_sides& of(Index f) const { return faces_[f]; }
 
   /// True when every face is plain, parts the solid from its outside, and has a neighbour of its patch at each edge.
