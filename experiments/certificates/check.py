@@ -184,7 +184,7 @@ def prove_apart(answer, placed, solid, square=Fraction(0), or_equal=False):
 
 
 def prove_together(answer, placed, solid, square=Fraction(0)):
-    """Two points are at most so far apart, or one solid holds a vertex of the other."""
+    """Two points are at most the root of `square` apart, or one solid holds a vertex of the other."""
     if "witness" in answer:
         need(prove_witness(answer["witness"], placed) <= square, "the points are farther apart")
     else:

@@ -25,7 +25,7 @@ namespace {
 struct Distance_course {
   std::string trajectory;
   covering::Polyhedron body;
-  std::vector<kernel::Pose> poses;  // of B; A stands
+  std::vector<kernel::Pose> poses;  // of B; A rests
   std::vector<double> exact;
 };
 

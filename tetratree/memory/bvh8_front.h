@@ -25,7 +25,7 @@ namespace tetracone::tetratree {
 ///
 /// The front covers all pairs of elements. An entry is some lanes of a node and a box of the other body, or a pair of
 /// leaves, or of boxes still to be opened. It has a lower bound of their gap. Gaps and motions are in A's local units;
-/// A stands still.
+/// A rests.
 ///
 /// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later
 /// motions are taken as multiples of that step. The stray is an upper bound of the distance between a point and where
