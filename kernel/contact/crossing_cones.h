@@ -43,7 +43,7 @@ struct Edge_crossing {
   N bottom;                  ///< positive
   N part;                    ///< `part / bottom` is the share of the edge that lies before the point
   bool enters;               ///< whether the edge enters the triangle's solid there
-  std::uint32_t number = 0;  ///< of the edge, in either direction, and the triangle
+  std::uint32_t number = 0;  ///< names the edge, in either direction, and the triangle
 
   /// Requires an edge whose ends are on different sides of the triangle's plane.
   Edge_crossing(const Number_point<N>& from, const Number_point<N>& to, const Cone_triangle<N>& triangle)

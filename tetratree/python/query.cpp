@@ -569,7 +569,7 @@ True
 )")
       .def("relation", of_poses<&relation>("relation"), poses_b, poses_a, R"(relation(poses_b, *, poses_a=None)
 
-How the bodies stand: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a"; of one pose of
+The relation of the bodies: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a"; of one pose of
 each, a str. Arguments as of `collide`.
 
 >>> import tetracone

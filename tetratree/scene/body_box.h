@@ -37,7 +37,7 @@ Number lower_side(const Number& place, const Number& low, const Number& grown)
 {
   return place + low - grown;
 }
-/// Same, for the upper side.
+/// Returns the upper side of such a box.
 template <class Number>
 Number upper_side(const Number& place, const Number& high, const Number& grown)
 {
