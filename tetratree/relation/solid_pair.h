@@ -35,7 +35,7 @@ struct Solid_piece {
   }
 };
 
-/// What is beside a cell of a face: in the solid of the face (`own`), and in the other solid.
+/// A cell of a face, and on which of its sides the face's own solid is (`own`), and the other one (`other`).
 struct Seen_cell {
   bool is_on_other = false;  ///< it lies on a face of the other body
   Normal_sides own, other;   ///< along the axis of the face's cells, and against it
