@@ -30,8 +30,8 @@ void for_each_directed_edge(const Polyhedron& polyhedron, Index f, Visit visit)
   }
 }
 
-/// Sorts by (low, high, face). Where vertices are not far more than uses, it sorts by the lower vertices in two passes,
-/// and then within each. This is faster than sorting all.
+/// Sorts by (low, high, face, forward). Where there are no more vertices than uses, it makes a bucket for each lower
+/// vertex and sorts within buckets, which is faster.
 inline void sort_uses(std::vector<Edge_use>& uses, std::size_t vertices)
 {
   const auto is_before = [](const Edge_use& x, const Edge_use& y) {

@@ -31,7 +31,7 @@ class Model {
   /// A vertex as K sees it; a reference where points are kept.
   using Point = std::conditional_t<keeps_points, const kernel::Point<K>&, kernel::Point<K>>;
 
-  /// Makes the model, by `both`, which does not change the result.
+  /// Makes the model. `both` says whether two parts of the work may run at once, which does not change the result.
   explicit Model(const Polyhedron& polyhedron, const Both& both = {}) : Model(Parts(polyhedron, both)) {}
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -51,7 +51,7 @@ class Model {
   }
 
  private:
-  /// The members of a model, made by `both`.
+  /// The members of a model; `both` makes two of them at once.
   struct Parts {
     std::vector<Vertex> vertices;
     std::optional<Covering> covering;
@@ -93,8 +93,8 @@ class Model {
   std::vector<kernel::Point<K>> points_;
 };
 
-/// A model under a pose. Points are placed on demand, each once; memory is taken by blocks of points that were asked
-/// for.
+/// A model under a pose. A point is placed when it is first asked for under this pose. Memory is taken in blocks of 64
+/// points, when one of a block is first asked for.
 template <class K>
 class Placed_model {
  public:

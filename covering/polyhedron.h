@@ -86,8 +86,9 @@ class Polyhedron {
     for_arrays_of(*this, what);
   }
 
-  /// True when the arrays, where they come from a file, are loops and faces: no loop is empty, each face has a loop,
-  /// and the numbers end where the arrays do. Corners may still name vertices that do not exist.
+  /// True when the arrays, where they come from a file, are loops and faces. Then no loop is empty, each face has a
+  /// loop, and the ends of loops and faces ascend to the ends of the arrays. Corners may still name vertices that do
+  /// not exist.
   bool has_legal_loops() const
   {
     const auto ascend_to = [](const std::vector<Index>& ends, std::size_t last) {

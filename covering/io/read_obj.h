@@ -37,8 +37,7 @@ inline std::int64_t obj_corner(const Text_lines& lines, std::string_view corner)
   lines.fail(in_quotes(corner) + " as corner of a face", "expected v, v/vt, v//vn or v/vt/vn in integers");
 }
 
-/// True when the model is made of the statement: `v`, or one of the names of a face, `f`, the old `fo`, and `q` of
-/// QOBJ.
+/// True when the statement is a vertex (`v`) or a face (`f`, the old `fo`, or `q` of QOBJ).
 inline bool is_obj_geometry(std::string_view statement)
 {
   return statement == "v" || statement == "f" || statement == "fo" || statement == "q";
@@ -50,8 +49,8 @@ class Obj_statements {
   explicit Obj_statements(Text_lines& lines) : lines_(lines) {}
 
   /// Goes to the next statement; false at the end. A line that ends in a backslash goes on in the next. A name may end
-  /// in one, too (`g C:\parts\`): a vertex or a face in the next line is a statement of its own, unless the backslash
-  /// ends a vertex or a face.
+  /// in one, too (`g C:\parts\`). So a vertex or a face in the next line is a statement of its own, unless the line
+  /// before is a vertex or a face.
   bool next()
   {
     words_.clear();
@@ -82,7 +81,8 @@ class Obj_statements {
   /// True when an earlier line ended in a backslash.
   bool continued() const { return continued_; }
 
-  /// Vertices and faces behind a line of something else that ends in a backslash.
+  /// Returns the vertices and faces that were read although the line before them, of something else, ends in a
+  /// backslash.
   const Left_out& kept() const { return kept_; }
 
  private:
@@ -138,7 +138,7 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
 /// something else (points, lines, curves, groups, materials) are skipped; unknown ones are refused. A first line of two
 /// counts, of vertices and of faces, is taken too (FCL's files have it), and must be right.
 ///
-/// CGAL is not asked about these dialects:
+/// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
 ///
 /// - such a first line, and continued lines;
 /// - white space other than blanks between corners;

@@ -33,7 +33,7 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
 /// Colours, normals and texture coordinates are skipped. Lines behind the last face are left out, with a note, unless
 /// one could be a face.
 ///
-/// CGAL is not asked about these dialects:
+/// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
 ///
 /// - colours and texture coordinates, since it takes as many as the header promises;
 /// - a count line without edges;

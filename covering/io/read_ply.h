@@ -242,7 +242,7 @@ inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& heade
 /// round it to float first.) A line of text may lack its last unused properties, with a note: VCGLIB promises colours
 /// that it does not write.
 ///
-/// CGAL is not asked about these dialects:
+/// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
 ///
 /// - strips;
 /// - indices that are neither int nor uint;

@@ -10,7 +10,7 @@
 
 namespace tetracone::covering {
 
-/// A point as its file gives it: each coordinate a double (`nearest`), or a fraction beside it.
+/// A point as its file gives it: each coordinate is a decimal or a fraction, see `Number`.
 using Point_numbers = std::array<Number, 3>;
 
 /// Returns the points of a text file: one a line, three numbers, decimals or fractions n/d. Throws Input_error as

@@ -82,8 +82,8 @@ struct Scan {
   Left_out short_faces;             ///< faces of one or two corners
 };
 
-/// True for a number that a coordinate may not be, but something unused (a normal, a colour, a quality) may: nan and
-/// infinity too, also as Microsoft's runtime wrote them up to 2013 ("-1.#IND", "1.#INF00").
+/// True for any number, nan and infinity too, also as Microsoft's runtime wrote them up to 2013 ("-1.#IND",
+/// "1.#INF00"). A coordinate must be finite, but what is not used (a normal, a colour, a quality) need not.
 inline bool is_number_word(std::string_view word)
 {
   if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);

@@ -115,7 +115,7 @@ class Stl_words {
  public:
   Stl_words(const std::string& file, std::string_view text) : lines_(file, text, '\0') {}
 
-  /// False at the end of the text.
+  /// Goes to the next word; false at the end of the text.
   bool next()
   {
     if (!is_kept_ && ++at_ >= lines_.words().size()) {
@@ -125,7 +125,7 @@ class Stl_words {
     is_kept_ = false;
     return true;
   }
-  /// As `next()`, where the text may not end yet: `expected` says what should come.
+  /// Goes to the next word. Throws Input_error at the end of the text; `expected` is its text of what should come.
   void need_next(std::string_view expected)
   {
     if (!next()) lines_.need_next(expected);
@@ -232,8 +232,8 @@ inline void scan_stl_facet(Stl_words& words, Scan& scan)
 /// Scans an STL text: `solid` blocks of `facet normal ... outer loop`, three `vertex`, `endloop`, `endfacet`. Letters
 /// may be of any case, and lines are free. An `end` may stand apart (`end solid`), and a name may stick to `solid` and
 /// `endsolid`. Normals must be there; they and colours (`color` and numbers) are not used. Vertices are the three
-/// corners of each triangle, not merged. CGAL is not asked about other spellings than its own, and about names that
-/// hold a keyword.
+/// corners of each triangle, not merged. Other spellings than CGAL's own, and names that hold a keyword, are read by
+/// the scan alone.
 inline Scan scan_stl_text(const std::string& file, std::string_view text)
 {
   Scan scan;
@@ -274,7 +274,7 @@ inline Scan scan_stl_text(const std::string& file, std::string_view text)
   return scan;
 }
 
-/// True when the file is text: it begins with `solid` and holds no zero byte, and its size is not right for a binary
+/// True when the file is text. It then begins with `solid` and holds no zero byte, and its size is not that of a binary
 /// file with its count of triangles.
 inline bool is_stl_text(std::string_view text)
 {

@@ -98,13 +98,13 @@ class Text_lines {
     return !words_.empty();
   }
 
-  /// As `next()`, where the text may not end yet: `expected` says what should come.
+  /// Goes to the next line with a word. Throws at the end of the text; `expected` is the error's text of what should
+  /// come.
   void need_next(std::string_view expected)
   {
     if (!next()) fail(line_ == 0 ? "the file is empty" : "the file ends here", expected);
   }
-  /// Same, for the next of several things: `what` names them, `number` is the next one's number, and there should be
-  /// `count`.
+  /// Does the same for one of several things. The error names it: `what` number `number` of `count`.
   void need_next(std::string_view what, std::size_t number, std::size_t count)
   {
     if (next()) return;

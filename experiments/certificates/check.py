@@ -8,7 +8,8 @@ A and B are the model files: OFF, OBJ or TetGen's .poly. A body that stands in t
 file's numbers, in order; KEY is pose_a, pose_b, from_a, to_a, from_b, to_b, point or ray. Prints a line an answer.
 Status 0: all are proved. 1: one is refused. 2: bad input.
 
-Coordinates are integers here: those of all bodies are multiplied by one common denominator, the `scale`."""
+Coordinates are integers here: those of all bodies are multiplied by one common denominator, the `scale`.
+A function prove_X states in its text what it proves, and raises Refused where the proof does not show that."""
 import argparse
 import json
 import sys
@@ -183,7 +184,7 @@ def prove_apart(answer, placed, solid, square=Fraction(0), or_equal=False):
 
 
 def prove_together(answer, placed, solid, square=Fraction(0)):
-    """Two points are at most so far apart, or one solid holds a vertex of the other."""
+    """Two points are at most the root of `square` apart, or one solid holds a vertex of the other."""
     if "witness" in answer:
         need(prove_witness(answer["witness"], placed) <= square, "the points are farther apart")
     else:

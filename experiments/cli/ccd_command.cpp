@@ -76,7 +76,7 @@ void add_ccd_command(CLI::App& app)
   command->add_option("--kind", options->kind, "vertex-face or edge-edge; default: the name of the file's folder")
       ->check(CLI::IsMember({"vertex-face", "edge-edge"}));
   command->add_flag("--first", options->first,
-                    "Behind a 1, the doubles about the first time of contact: equal, or neighbours");
+                    "Print, after a 1, the doubles about the first time of contact: equal, or neighbours");
   command->footer(
       "One line a query: 1 or 0. Status 1 where a file says otherwise.\n"
       "Example: tetracone ccd unit-tests/edge-edge/data_0_0.csv");

@@ -165,10 +165,10 @@ void add_distance_command(CLI::App& app)
   add_default(*command, "--question", options->question,
               "solid: of the solids, 0 where they collide; surface: of the surfaces, which may be open");
   command->add_flag("--exact", options->exact,
-                    "The squared distance, then of A and of B the nearest point and what holds it, as fractions");
+                    "Print the squared distance, then of A and of B the nearest point and what holds it, as fractions");
   command->add_flag("--points", options->points,
-                    "Behind the distance the nearest point of A and that of B, each coordinate as the double nearest "
-                    "to it; of several such pairs one");
+                    "Print, after the distance, the nearest point of A and that of B, each coordinate as the double "
+                    "nearest to it; of several such pairs one");
   command->add_option("--within", options->within,
                       "1 or 0: is the distance at most this, a decimal number (its double) or a fraction n/d");
   add_default(*command, "--kernel", options->kernel, "adaptive, double or rational");

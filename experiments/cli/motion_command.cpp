@@ -126,7 +126,7 @@ void add_motion_command(CLI::App& app)
   options->names.add_options_to(*command);
   command->add_option("--path", options->names.path,
                       "Poses of B, one after the other: a motion from each to the next, a line each, of times t in [0, "
-                      "1] within it. A stands at --pose-a0");
+                      "1] within it. A rests at --pose-a0");
   command->add_flag(
       "--first", options->first,
       "With --path: only the first motion with a contact, `1 LO HI K`, from pose K to pose K + 1, or `0`");

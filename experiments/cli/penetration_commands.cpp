@@ -162,7 +162,7 @@ void add_exit_command(CLI::App& app)
   CLI::App* command = app.add_subcommand(
       "exit", "How far A must be moved along a direction for two overlapping solids to part, exactly");
   const auto options = std::make_shared<Exit_options>();
-  add_options(*command, *options, "Fractions instead of the nearest doubles");
+  add_options(*command, *options, "Print fractions instead of the nearest doubles");
   command->add_option("--along", options->along, "The direction, three decimals or fractions n/d")->required();
   command->footer(
       "Prints a line for each pose: the first exit, where the interiors first share no point, and the last exit, from "
@@ -183,7 +183,9 @@ void add_depth_command(CLI::App& app)
   CLI::App* command = app.add_subcommand(
       "depth", "The least translation of A for two overlapping solids to part, in a bracket that is never wrong");
   const auto options = std::make_shared<Depth_command_options>();
-  add_options(*command, *options, "The square of the length and the vector as fractions; - for a square not proved");
+  add_options(*command, *options,
+              "Print the square of the length and the vector as fractions; `-` for a length that is not proved to be "
+              "the least");
   add_default(*command, "--relative", options->limits.relative, "The bracket's width over its upper end, at most");
   add_default(*command, "--budget", options->limits.budget, "Boxes of translations to look at, at most")
       ->check(CLI::NonNegativeNumber);

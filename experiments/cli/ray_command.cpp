@@ -183,10 +183,10 @@ void add_ray_command(CLI::App& app)
   command->add_option("--end", options->end, "Only what is met at a t of at most this decimal number, exactly");
   command->add_flag("--any", options->any, "1 or 0 a line: is anything met");
   command->add_flag("--sides", options->sides,
-                    "Behind t: `entering` against the face's normal, `leaving` with it, or `along` its plane");
+                    "Print, after t, `entering` against the face's normal, `leaving` with it, or `along` its plane");
   command->add_flag("--normals", options->normals,
-                    "Behind that: the face's unit normal, outward where faces are oriented outward; each component is "
-                    "the double nearest to it");
+                    "Print, after that, the face's unit normal, outward where faces are oriented outward; each "
+                    "component is the double nearest to it");
   add_certificate_option(*command, options->certificate);
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--time", options->time, "With --csv: nanoseconds of each ray");

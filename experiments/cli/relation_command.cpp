@@ -150,14 +150,14 @@ void run_relation(const Relation_options& options)
 void add_relation_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand(
-      "relation", "How two solids stand, exactly: one of eight relations, and the dimension of the contact");
+      "relation", "Which of eight relations two solids have, exactly, and the dimension of the contact");
   const auto options = std::make_shared<Relation_options>();
   command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command->add_option("B", options->names.b, "Model")->required();
   command->add_flag(
       "--volume", options->volume,
-      "Behind the dimension the double nearest to the volume of the overlap; tables have its centroid too");
-  command->add_flag("--exact", options->exact, "The volume and the centroid, as fractions");
+      "Print, after the dimension, the double nearest to the volume of the overlap; tables have its centroid too");
+  command->add_flag("--exact", options->exact, "Print the volume and the centroid, as fractions");
   add_default(*command, "--kernel", options->kernel, "adaptive");
   add_certificate_option(*command, options->certificate);
   command->add_option("--csv", options->csv, "Write a table to this file");

@@ -314,7 +314,7 @@ void add_scene_command(CLI::App& app)
                       "bodies at most D from one another");
   command->add_option(
       "--within", options->within,
-      "Lines `frame a b distance` of the pairs at most so far apart, a decimal number (its double) or a "
+      "Lines `frame a b distance` of the pairs that are at most this far apart, a decimal number (its double) or a "
       "fraction n/d; the distance is 0 where they collide");
   command->add_option(
       "--motion", options->motion,

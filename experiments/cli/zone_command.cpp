@@ -60,7 +60,7 @@ void add_zone_command(CLI::App& app)
               "solid: how far from B's solid; surface: from its surface, which may be open");
   options->names.add_options_to(*command);
   command->footer(
-      "One line a pose: the numbers of the faces of A that have a point at most so far from B, or `-` for none.\n"
+      "One line a pose: the numbers of the faces of A that have a point within that distance of B, or `-` for none.\n"
       "Example: tetracone zone cat.off house.poly --within 1/10 --pose-b poses.txt");
   command->callback([options] { run_zone(*options); });
 }

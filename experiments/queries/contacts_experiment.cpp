@@ -38,7 +38,7 @@ std::vector<Face_pair> pairs_of(const Contacts& contacts)
   return pairs;
 }
 
-/// Ours first: its pairs are the truth.
+/// Returns the methods. The first is ours, whose pairs are the truth.
 std::vector<Lister> listers(const Race_course& course, Query& query)
 {
   const auto contacts = [&query](const kernel::Pose& pose) { return query.contacts(kernel::Pose(), pose); };
@@ -74,7 +74,7 @@ std::size_t missing(const std::vector<Face_pair>& from, const std::vector<Face_p
   return rest.size();
 }
 
-/// The fastest time of each pose, over passes in turn; then what they list is compared.
+/// Takes the fastest time of each pose over all passes, in which the methods take turns. Then compares what they list.
 void race(std::vector<Lister>& all, const std::vector<kernel::Pose>& poses, int passes)
 {
   std::vector<std::vector<double>> fastest(all.size(),

@@ -25,7 +25,7 @@ namespace {
 struct Distance_course {
   std::string trajectory;
   covering::Polyhedron body;
-  std::vector<kernel::Pose> poses;  // of B; A stands
+  std::vector<kernel::Pose> poses;  // of B; A rests
   std::vector<double> exact;
 };
 
@@ -36,7 +36,7 @@ double ulps_between(double x, double y)
   return double(std::abs(place(x) - place(y)));
 }
 
-/// The fastest time of each pose in nanoseconds, and the answers of the first pass.
+/// The fastest time of each pose, in nanoseconds, and the answers of the first pass.
 struct Timed_distances {
   std::vector<double> fastest, answers;
 

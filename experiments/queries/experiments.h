@@ -23,9 +23,10 @@ void run_distance(const Experiment_options& options);
 /// Measures the cost of the exact first contact of two moving bodies, in static questions of the same tree. It also
 /// counts the contacts that static questions at 10, 100 and 1000 times miss, and those that FCL's continuousCollide
 /// misses. The motions are steps of the contour trajectory and of the circular one, and throws through a body and
-/// through a thin plate. B moves, `race_frames` times each. Our own first contacts are the truth; tests judge them.
-/// Writes out/moving_bodies.csv, one row per course and subject. It also measures a face that lands flat on a face
-/// against the same motion tilted by a thousandth. Writes out/landings.csv, one row per pair of bodies and motion.
+/// through a thin plate. B moves, and each course has `race_frames` motions. Our own first contacts are the truth;
+/// tests judge them. Writes out/moving_bodies.csv, one row per course and subject. It also measures a face that lands
+/// flat on a face against the same motion tilted by a thousandth. Writes out/landings.csv, one row per pair of bodies
+/// and motion.
 void run_moving_bodies(const Experiment_options& options);
 
 /// Measures the cost of exits and depths of a star-shaped body that overlaps itself turned, beside the first contact of

@@ -15,8 +15,9 @@ namespace tetracone::experiments {
 /// - `negative`: at most 0;
 /// - `off_millionth`, `off_hundredth`: off by more than this part of the depth, of those above 0.
 ///
-/// `mean_off` and `most_off` are of those above 0, as a part of the depth. `ns` is the peer's mean time, and `exact_ns`
-/// ours. Each shape has `pairs` pairs: boxes turned, boxes in one frame, and hulls of 100 points of a sphere.
+/// `mean_off` and `most_off` are the mean and the largest error of those above 0, as a part of the depth. `ns` is the
+/// peer's mean time, and `exact_ns` ours. Each shape has `pairs` pairs: boxes turned, boxes in one frame, and hulls of
+/// 100 points of a sphere.
 std::string judged_depths(int pairs, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

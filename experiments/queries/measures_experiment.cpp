@@ -84,7 +84,7 @@ class Measures {
   Csv_table table_;
 };
 
-/// The relation and the overlap of two bodies in poses in which they collide.
+/// Measures the relation and the overlap of two bodies in poses in which they collide.
 void race_solids(Measures& measures, const std::string& name, const covering::Polyhedron& a,
                  const covering::Polyhedron& b, const Poses& poses)
 {
@@ -125,7 +125,7 @@ Cgal_mesh cgal_mesh(const covering::Polyhedron& mesh)
   return made;
 }
 
-/// Signed distances of points, random and near the surface, against CGAL's nearest point without a sign.
+/// Measures signed distances of points, random and near the surface, against CGAL's nearest point without a sign.
 void race_points(Measures& measures, const std::string& name, const covering::Polyhedron& mesh, int count,
                  std::uint64_t seed)
 {
@@ -137,7 +137,7 @@ void race_points(Measures& measures, const std::string& name, const covering::Po
   for (const bool is_near : {false, true}) {
     const auto points = points_of(mesh, is_near, count, random);
     body.nearest(points[0]);
-    // All at once, as Python asks: the mean of a pass.
+    // All points are asked in one call, as Python does, so the time is the mean of a pass.
     measures.race(is_near ? "nearest, near" : "nearest, random", name, mesh.face_count(), 1,
                   {{"nearest, all points", [&](std::size_t) { body.nearest(points); }},
                    {"CGAL closest_point",

@@ -138,7 +138,7 @@ void run_course(Csv_table& table, const Motion_course& course, std::uint64_t see
           ours.told, static_ns, seed);
 }
 
-/// From a frame to the next.
+/// Returns the motions from each frame to the next.
 Motion_course steps(const std::string& name, const covering::Polyhedron& body, const std::vector<kernel::Pose>& poses)
 {
   Motion_course course{name, body, body, {}};
@@ -146,7 +146,7 @@ Motion_course steps(const std::string& name, const covering::Polyhedron& body, c
   return course;
 }
 
-/// Through the middle of A or past it, from 4 away to 4 beyond.
+/// Returns motions down through A or past it, from z = 4 to z = -4.
 Motion_course throws(const std::string& name, const covering::Polyhedron& a, const covering::Polyhedron& b, int motions,
                      std::uint64_t seed)
 {
@@ -174,7 +174,7 @@ covering::Polyhedron triangulated(const covering::Polyhedron& body)
 /// Seven numbers of a rigid pose.
 using Rigid = std::array<double, 7>;
 
-/// A motion, and the same of a body that is tilted by little.
+/// A body that rests, and two motions of the other: flat, and slightly tilted.
 struct Landing {
   const char* name;
   Motion still;

@@ -21,7 +21,7 @@
 namespace tetracone::experiments {
 namespace {
 
-/// A place of A, and the direction in which it leaves B.
+/// A pose of A, and the direction in which it leaves B.
 struct Stand {
   Pose pose;
   std::array<double, 3> direction;
@@ -34,7 +34,7 @@ Pose moved(const Pose& pose, const std::array<double, 3>& direction, double leng
   return Pose(rows);
 }
 
-/// Returns turned bodies that have so much of their size left to go in a random direction.
+/// Returns poses of A, turned at random, in which `overlap` is left to go along a random direction until its last exit.
 std::vector<Stand> stands(Query& query, int count, double overlap, std::uint64_t seed)
 {
   verify::Random random(seed);
@@ -77,7 +77,7 @@ void add_row(Csv_table& table, std::size_t triangles, const std::string& place, 
               question.c_str(), timed.total / count, timed.most, timed.exact, poses, timed.width / count);
 }
 
-/// Adds how narrow the brackets of depths are after so many boxes of translations, and after what time.
+/// Adds rows: how narrow the brackets of depths are after a number of boxes of translations, and after what time.
 void add_widths(Csv_table& table, Query& query, std::size_t triangles, const std::string& place,
                 const std::vector<Stand>& all, std::uint64_t seed)
 {

@@ -36,7 +36,7 @@ using Point = std::array<double, 3>;
 
 constexpr int passes = 5;
 
-/// Seconds of this process on a processor: others on the machine take none of them.
+/// Returns the processor time of this process in seconds: other programs on the machine do not count.
 double processor_time() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 /// A contestant: prepared from a file, anew each time, then asked all questions at once, with one answer each.
@@ -83,8 +83,8 @@ struct Clocked {
   std::vector<long> answers;
 };
 
-/// All contestants in turn, pass by pass, of which the best counts: who comes first would else pay for memory that the
-/// process does not have yet. Those that an earlier race has made ready, `clocked` then, are not made ready anew.
+/// Asks all contestants in turn, pass by pass, and keeps the best pass of each: in the first one, memory is taken that
+/// the process does not have yet. Where `clocked` is not empty, an earlier race has made the contestants ready.
 void race(const Task& task, const std::vector<Contestant>& contestants, std::vector<Clocked>& clocked, Csv_table& table)
 {
   const bool ready = !clocked.empty();
@@ -136,7 +136,7 @@ void race(const Task& task, const std::vector<Contestant>& contestants, std::vec
   }
 }
 
-/// A tree of the paper's over K, where it stands.
+/// A tree of the paper's over K, of an unmoved body.
 template <class K>
 struct Located {
   tetratree::Tetra_tree<K> tree;
@@ -253,7 +253,7 @@ std::vector<Contestant> for_rays(const std::string& file, const std::vector<Ray>
            nullptr}};
 }
 
-/// The first faces of rays: of those that CGAL's tree finds by exact predicates.
+/// Returns the first face of each ray: the first of those that CGAL's tree finds by exact predicates.
 std::vector<long> first_faces(const covering::Polyhedron& mesh, const std::string& file, const std::vector<Ray>& rays)
 {
   const Cgal_mesh read = read_by_cgal(file);

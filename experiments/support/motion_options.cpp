@@ -26,11 +26,11 @@ std::array<std::vector<Pose>, 4> read_path(const Motion_names& names, const Read
 {
   for (const auto& [k, name] : {std::pair(1, "--pose-a1"), {2, "--pose-b0"}, {3, "--pose-b1"}})
     if (!names.poses[std::size_t(k)].empty())
-      throw CLI::ValidationError(name, "expected without --path: B takes the path, A stands at --pose-a0");
+      throw CLI::ValidationError(name, "expected without --path: B takes the path, A rests at --pose-a0");
   std::vector<Pose> of_a = {Pose()}, path = read(names.path);
   if (!names.poses[0].empty()) of_a = read(names.poses[0]);
   if (of_a.size() != 1)
-    throw Input_error(names.poses[0], 0, std::to_string(of_a.size()) + " poses", "expected one: A stands");
+    throw Input_error(names.poses[0], 0, std::to_string(of_a.size()) + " poses", "expected one: A rests");
   if (path.size() < 2) throw Input_error(names.path, 0, "holds one pose", "expected two or more: a path");
   return {of_a, of_a, std::vector<Pose>(path.begin(), path.end() - 1), std::vector<Pose>(path.begin() + 1, path.end())};
 }

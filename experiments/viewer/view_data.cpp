@@ -238,7 +238,7 @@ std::unique_ptr<detail::Relation_solver> overlap_solver(const Body& a, const Bod
   return detail::relation_solver(shared(a), shared(b));
 }
 
-/// How solids stand, and the border of their overlap, of which at most `parts_left` parts are told.
+/// The relation of solids, and the border of their overlap, of which at most `parts_left` parts are told.
 Json solids_data(Query& query, detail::Relation_solver& overlap, const Pose& pose_a, const Pose& pose_b,
                  const std::optional<View_way_out>& way, std::size_t& parts_left)
 {

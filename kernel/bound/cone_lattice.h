@@ -18,6 +18,9 @@ using Direction = std::array<std::int32_t, 3>;
 inline constexpr int max_cone_depth = 12;
 inline constexpr std::int32_t lattice_size = 1 << max_cone_depth;
 
+/// Points of a model's space that stand for directions: direction d is through origin + step * d, which a double holds
+/// exactly.
+///
 /// The origin is the centroid of the vertices, rounded to a multiple of step = 2^k. Let e be the extent and s the
 /// largest coordinate of the model. Then step >= 2^-18 e and step >= 2^-51 s. Since |origin| <= s and the lattice has a
 /// radius of 2^12 steps, every sum is a multiple of step below 2^53 steps. (Any origin serves: JS08's definitions of

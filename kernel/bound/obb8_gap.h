@@ -105,9 +105,9 @@ struct Going_box {
 
 /// A similarity made ready to carry boxes again, for a motion on a course. The map must outlive it.
 ///
-/// A step of the course takes a point q to q + (V q + v). q is a point of the carried box; or, where the eight move
-/// instead, a point of theirs with the inverse motion, see `Course::reversed`. Let q = c + sum_j s_j h_j be the points
-/// of a box that holds these. Then an upper bound of the loss of a gap along n, in a step, is
+/// A step of the course takes a point q to q + (V q + v). q is a point of the carried box. Where the eight move
+/// instead, q is a point of theirs, and the motion is the inverse one: see `Course::reversed`. Let q = c + sum_j s_j
+/// h_j be the points of a box that holds these. Then an upper bound of the loss of a gap along n, in a step, is
 ///
 ///     sum_j |n . V h_j| - n . (V c + v).
 struct alignas(32) Carrier {
@@ -136,8 +136,8 @@ struct alignas(32) Carrier {
   }
 };
 
-/// A lower bound of the gaps of some lanes, and its rate: after k steps of the course, gap - k rate is still one, as
-/// long as it is positive.
+/// A lower bound of the gaps of some lanes, and its rate. After k steps of the course, gap - k rate is still a lower
+/// bound, as long as it is positive.
 struct Gap_and_rate {
   double gap, rate;
 };
@@ -170,7 +170,7 @@ inline void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carrie
 }
 
 /// Returns a lower bound of the gaps of the lanes `of_lanes`, a set of bits, when the box is carried again, and its
-/// rate; a gap of 0 if nothing is known. `going` holds the elements that move on.
+/// rate. The gap is 0 if nothing is known. `going` holds the elements that move on.
 inline Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
                                     const Going_box& going, const Carrier& carrier)
 {

@@ -16,7 +16,7 @@ inline constexpr float point_box_rounding = 32 * 0x1p-24f;
 /// Factor of a lower bound of a square: 3 `axis_defect` for axes that are not orthonormal, and 6 roundings in float.
 inline constexpr float point_square_shrink = 1 - 0x1p-18f;
 
-/// For each lane, a lower bound of the squared distance.
+/// For each lane, a lower bound of the squared distance of the point and the lane's box, in local units.
 using Lane_squares = std::array<float, lanes>;
 
 }  // namespace tetracone::kernel
@@ -26,8 +26,8 @@ using Lane_squares = std::array<float, lanes>;
 
 namespace tetracone::kernel {
 
-/// Sets lower bounds of the squared distances of a point and each box, in local units. Requires coordinates of at most
-/// 2^60, with a relative error of at most 2^-50.
+/// Writes into `squares` a lower bound of the squared distance of the point and each box, in local units. Requires
+/// coordinates of at most 2^60, with a relative error of at most 2^-50.
 ///
 /// A point x of a box has |a_i . (x - c)| <= e_i + d (e_0 + e_1 + e_2), d the axes' defect. So |a_i . (p - x)| is at
 /// least |a_i . (p - c)| less that. The sum of these squares is at most 1 + 3 d times the squared distance.

@@ -131,8 +131,8 @@ inline Matrix turned(const Matrix& axes, int about, double tangent)
 
 namespace detail {
 
-/// A sample of at most 512 points, which tells how turning axes changes the surface of the box about them. They are in
-/// float, about their mean and over the root of their spread, four at a time.
+/// A sample of at most 512 points, which tells how turning axes changes the surface of the box about them. Their
+/// coordinates are floats, less the mean and divided by the root of the spread. They are kept four at a time.
 class Turned_points {
  public:
   Turned_points(std::span<const Vector> points, const Spread& spread, const Matrix& axes)
@@ -262,7 +262,7 @@ inline bool is_nearly_orthonormal(const Matrix& axes)
 /// the identity where these are not orthonormal.
 class Lane_box {
  public:
-  /// `about`: a point near those that come.
+  /// Requires a point `about` near those that will be added: errors grow with the distance from it.
   Lane_box(const Matrix& axes, const Vector& about) : about_(about)
   {
     const Matrix in_float = axes.in_float();
@@ -290,7 +290,7 @@ class Lane_box {
     sum_ = sum_ + other.sum_;
   }
 
-  /// Requires a point.
+  /// Returns the centre, rounded. Requires an added point.
   Vector centre() const
   {
     const Four middle = (low_ + high_) * 0.5;
@@ -300,7 +300,7 @@ class Lane_box {
   }
 
   /// Writes the box into a lane, relative to the node's origin, which is exact in float. `point_error` is an upper
-  /// bound of the error of a point's coordinate. Requires a point.
+  /// bound of the error of a point's coordinate. Requires an added point.
   ///
   /// With axes a_i that are orthonormal up to a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d
   /// max_k |a_k . y| (1 + 4 d). The sums below are of p - b and c - b, b the point `about`. Each has at most 6

@@ -45,7 +45,7 @@ inline Double_double two_product(double x, double y) { return Double_double::pro
 /// D = (M_b o_b + t_b) - (M_a o_a + t_a): the vector from the place of A's local origin to that of B's.
 class Origin_offset {
  public:
-  // The parts of a component, from the terms p and q of A, r and s of B. Each is a vector's lanes.
+  // Parts of a component's sum, a lane each. p and q are the terms of A, r and s those of B, in lanes.
   template <class Lanes>
   [[gnu::always_inline]] static Lanes difference_in_parts(const Lanes& p, const Lanes& q, const Lanes& r,
                                                           const Lanes& s)

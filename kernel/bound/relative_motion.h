@@ -139,9 +139,9 @@ inline double steps_along(const Course& course, const Placement& before, const P
   return fastest(course, before, after);
 }
 
-/// Returns an upper bound, over all points p of the box with |p_k| <= 1, of the distance between the point's place
-/// after the motion and the one that `steps` steps of the course predict. The motion leads from the point's exact image
-/// under `before` to its exact image under `after`. Infinite or undefined where nothing is known.
+/// Returns the stray: an upper bound of the distance between a point's place after the motion and the place that
+/// `steps` steps of the course predict. It holds for all points p with |p_k| <= 1. The motion leads from the point's
+/// exact image under `before` to its exact image under `after`. Infinite or undefined where nothing is known.
 ///
 /// That is |D p + d| and the errors of both images. D and d are the columns of `after` less those of `before`, less
 /// `steps` times the course's. These are rounded a few times in double, which the placements' errors include, and then

@@ -168,10 +168,12 @@ inline double least_gap(const Double_triangle& a, const Double_triangle& b, cons
   return td::below(gap, length, td::slack(position_error, largest));
 }
 
-/// True when x is surely before p along a direction that differs from n by at most 2^-51 |n|_1 in all coordinates
-/// together. Coordinates of x and p are at most `largest` and have an error of at most `position_error`. The error of n
-/// . (x - p) is |n|_1 times 2 `position_error`, and of 2 `largest` 2^-51 for n and 5 u for roundings. False for numbers
-/// near the ends of the doubles' range.
+/// True when m . x < m . p is certain for every direction m with |m - n|_1 <= 2^-51 |n|_1. Coordinates of x and p are
+/// at most `largest` and have an error of at most `position_error`. False for numbers near the ends of the doubles'
+/// range.
+///
+/// The error of n . (x - p) is the sum of three terms, each times |n|_1: 2 `position_error` for the points, 2^-51 times
+/// 2 `largest` for n, and 5 u times 2 `largest` for roundings.
 inline bool is_surely_before(const Double_vector& x, const Double_vector& p, const Double_vector& n,
                              double position_error, double largest)
 {

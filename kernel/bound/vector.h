@@ -65,7 +65,7 @@ struct Vector {
   Vector absolute() const { return {std::abs(at[0]), std::abs(at[1]), std::abs(at[2])}; }
 };
 
-/// Return, coordinate by coordinate, the smaller and the larger number; a's where one is NaN.
+/// Return, coordinate by coordinate, the smaller and the larger number. Where either is NaN, a's is returned.
 constexpr Vector smaller(const Vector& a, const Vector& b)
 {
   return {b[0] < a[0] ? b[0] : a[0], b[1] < a[1] ? b[1] : a[1], b[2] < a[2] ? b[2] : a[2]};
@@ -112,7 +112,7 @@ struct Matrix {
   }
   friend constexpr bool operator==(const Matrix&, const Matrix&) = default;
 
-  /// Returns the largest distance of an entry of A^T A from that of the identity; NaN where one is.
+  /// Returns the largest distance of an entry of A^T A from that of the identity. Returns NaN where an entry is NaN.
   double orthonormal_defect() const
   {
     const Matrix defect = transpose() * *this - identity();

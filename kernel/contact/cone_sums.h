@@ -16,7 +16,7 @@
 /// bodies are placed.
 namespace tetracone::kernel {
 
-/// A sum of rationals whose terms are added in pairs, then pairs of pairs. Terms of many digits so meet late.
+/// A sum of rationals. Terms are added in pairs, then the pairs in pairs, so that few additions are of many digits.
 class Rational_sum {
  public:
   void add(Rational term)

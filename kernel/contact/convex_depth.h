@@ -27,9 +27,11 @@ struct Convex_solid {
 ///
 /// The translations that do not part them are the inside of the Minkowski difference B - A. Its facets' normals are
 /// those of faces of either solid, or products of an edge of each. A plane with the normal n is as far from 0 as the
-/// largest n . b less the least n . a, over |n|. Any other n gives a plane that the difference does not reach, so that
-/// the least over more directions is the same. Products of edges are in the order of a lower bound of that distance,
-/// n . (b - a) for points a and b of the edges, and end where it exceeds the least.
+/// largest n . b less the least n . a, over |n|. The plane of any other n is no nearer than the nearest facet, so more
+/// directions do not change the least.
+///
+/// Products of edges are tried in the order of a lower bound of their planes' distance: n . (b - a) / |n| for points a
+/// and b of the edges. The search ends where that exceeds the least distance so far.
 class Convex_depth {
  public:
   /// Requires interiors that share a point.
@@ -53,7 +55,7 @@ class Convex_depth {
     }
   }
 
-  /// Returns the translation.
+  /// Returns the least translation.
   const Rational_point& vector() const { return vector_; }
   /// Returns the square of its length.
   const Rational& square() const { return *square_; }

@@ -18,6 +18,7 @@
 /// intervals, whose sums are enclosures.
 namespace tetracone::kernel {
 
+/// Returns the sign. Throws CGAL::Uncertain_conversion_exception where an interval does not tell it.
 inline int certain_sign(const mpz_class& x) { return sgn(x); }
 inline int certain_sign(const Interval& x) { return CGAL::make_certain(CGAL::sign(x)); }
 
@@ -42,7 +43,7 @@ struct Edge_crossing {
   N bottom;                  ///< positive
   N part;                    ///< `part / bottom` is the share of the edge that lies before the point
   bool enters;               ///< whether the edge enters the triangle's solid there
-  std::uint32_t number = 0;  ///< of the edge, in either direction, and the triangle
+  std::uint32_t number = 0;  ///< names the edge, in either direction, and the triangle
 
   /// Requires an edge whose ends are on different sides of the triangle's plane.
   Edge_crossing(const Number_point<N>& from, const Number_point<N>& to, const Cone_triangle<N>& triangle)
@@ -78,8 +79,8 @@ class Cone_sums<Interval> {
   Number_point<Interval> moment = {0, 0, 0};
 };
 
-/// Terms are added in pairs, then pairs of pairs, so that terms of many digits meet late. A denominator is the product
-/// of the crossings that its terms know, each once. Other common factors are divided out at the end.
+/// Terms are added in pairs, then the pairs in pairs, so that few additions are of many digits. A denominator is the
+/// product of the `bottom` of all crossings of its terms, each once. Other common factors are divided out at the end.
 template <>
 class Cone_sums<mpz_class> {
  public:

@@ -16,7 +16,7 @@ namespace tetracone::kernel {
 struct Translation_box {
   std::array<double, 3> centre, half;
 
-  /// Lower bound of the length of its translations.
+  /// Returns a lower bound of the length of its translations.
   double least_length() const
   {
     double square = 0;
@@ -35,9 +35,10 @@ struct Translation_box {
 /// rounded; `inner` is a limit that is surely small enough, `outer` one that is surely large enough.
 class Crossing_polytope {
  public:
-  /// Requires a block of upward rounding. Nothing is known of pieces that are not bounded. `radius` is an upper bound
-  /// of the ball's, exactly the root of `square`. Translations that are asked for have coordinates of at most `most`.
-  /// exactly(axis) returns what the exact pieces say of an axis, as Allowed<Rational>, and its exact direction.
+  /// Requires a block of upward rounding. With pieces that are not bounded (`are_bounded` is false), it holds no
+  /// translation and may meet every box. `radius` is an upper bound of the ball's radius. Translations that are asked
+  /// for have coordinates of at most `most`. `exactly` tells of the exact pieces: is_zero(axis), whether an axis is the
+  /// direction 0; is_outside_ball(axis, sign), whether the plane of a half-space does not cut the open ball.
   template <class Exactly>
   Crossing_polytope(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b, bool are_bounded, double radius,
                     double most, const Exactly& exactly)
@@ -57,10 +58,10 @@ class Crossing_polytope {
     });
   }
 
-  /// True when it surely has no point in the ball.
+  /// True when the polytope surely has no point in the ball.
   bool is_beyond() const { return is_beyond_; }
 
-  /// True when its inside surely has all translations of a box that are inside the ball.
+  /// True when the polytope's inside surely has all translations of the box that are inside the ball.
   bool holds(const Translation_box& box) const
   {
     for (const Half_space& h : half_spaces_)
@@ -68,7 +69,7 @@ class Crossing_polytope {
     return true;
   }
 
-  /// True when it may have a translation of the box.
+  /// True when the polytope may have a translation of the box.
   bool may_meet(const Translation_box& box) const
   {
     for (const Half_space& h : half_spaces_)

@@ -34,7 +34,7 @@ class Direction_view {
   /// Returns the height of d in the view.
   const Rational& height() const { return height_; }
 
-  /// Returns the direction, in space, of what the view has as a plane's normal.
+  /// Returns the normal, in space, of a plane that has the normal `seen` in the view.
   Rational_point normal(const Rational_point& seen) const
   {
     Rational_point n = {0, 0, 0};
@@ -58,8 +58,8 @@ class Direction_view {
   Rational height_;
 };
 
-/// Returns poses that stand to each other as a + s d and b do. They are these two, unless the sum has no finite double;
-/// then both are scaled.
+/// Returns the pose a moved by s d, and the pose b. Where an entry of the first exceeds the doubles, both are divided
+/// by one number, which changes no relation of bodies.
 inline std::array<Pose, 2> moved_along(const Pose& a, const Pose& b, const Rational_point& d, const Rational& s)
 {
   std::array<std::array<Rational, 12>, 2> rows;

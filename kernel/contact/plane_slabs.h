@@ -27,7 +27,9 @@ class Plane_slabs {
     Rational_point from, to;
     Rational x0, y0, x1, y1;
 
+    /// Returns the height at x.
     Rational y(const Rational& x) const { return y0 + (x - x0) / (x1 - x0) * (y1 - y0); }
+    /// Returns the point at x, in space.
     Rational_point point(const Rational& x) const
     {
       return x == x0 ? from : x == x1 ? to : between(from, to, (x - x0) / (x1 - x0));

@@ -58,7 +58,9 @@ class Rational_face {
   }
 
   const std::vector<Edge>& edges() const { return edges_; }
+  /// Returns the first corner.
   const Rational_point& origin() const { return edges_[0].first; }
+  /// True when the corners are not on one line.
   bool has_plane() const { return !is_zero(normal_); }
   /// Returns the normal; 0 for a face on one line.
   const Rational_point& normal() const { return normal_; }

@@ -29,6 +29,7 @@ class Rational_map {
   /// Returns column k of M, the image of an axis as a direction. Column 3 is t.
   Rational_point column(int k) const { return {m_[k], m_[4 + k], m_[8 + k]}; }
 
+  /// Returns the image of a vertex.
   Rational_point operator()(const Vertex& v) const { return image(v, m_); }
 
   /// Returns M x + s t.

@@ -75,12 +75,14 @@ Number_point<N> normal(const Convex_piece<N>& piece)
 {
   return product(edge(piece, 0), step(piece.corner[0], piece.corner[2]));
 }
+/// Returns a direction across z that is perpendicular to the edge.
 template <class N>
 Number_point<N> beside(const Number_point<N>& edge)
 {
   return {N(-edge[1]), edge[0], N(0)};
 }
 
+/// Returns the direction of an axis.
 template <class N>
 Number_point<N> direction(const Shift_axis& axis, const Convex_piece<N>& a, const Convex_piece<N>& b)
 {
@@ -153,13 +155,14 @@ void for_shift_axes(const Convex_piece<N>& a, const Convex_piece<N>& b, const Wh
 
 }  // namespace detail
 
-/// The shifts s along z for which piece a, moved by s, shares a point with piece b, where the seen pieces share area.
+/// The shifts s along z for which piece a, moved by s, shares a point with piece b. Pieces count only where their
+/// projections along z share area, or one is projected to a line through the other's inside.
 ///
 /// These are the s for which (0, 0, s) is in the Minkowski difference b - a. Where the planes of a and b are not
-/// parallel, it is a polytope, and the axes are all normals of its facets. Then `low < high` exactly where a line
-/// through its inside is asked, and for every s between them a goes through b. Where they are parallel and not upright,
-/// one s is left, if the seen pieces share area. Nothing is left where one is seen as a line that the other's inside
-/// does not cross, and for upright pieces of parallel planes.
+/// parallel, it is a polytope, and the axes are all normals of its facets. Then `low < high` exactly where the line x =
+/// y = 0 goes through its inside, and for every s between them a goes through b. Where the planes are parallel and not
+/// upright, one s is left, if the projections share area. Nothing is left where one piece is projected to a line that
+/// does not cross the other's inside, and for upright pieces of parallel planes.
 template <class N>
 class Shift_range {
  public:
@@ -183,8 +186,8 @@ class Shift_range {
   bool is_empty() const { return is_empty_; }
   /// True when there surely is one. In rationals one of the two is true.
   bool is_certain() const { return is_certain_; }
-  /// Return the bounds of the ends. An upper bound of `high` and a lower bound of `low` hold without `is_certain`, the
-  /// other two do not. Nothing where no bound is known, which cannot be in rationals.
+  /// Return bounds of the least and of the largest s. `high().most` and `low().least` are bounds even where
+  /// `is_certain` is false; the other two are not. Nothing where no bound is known, which cannot be in rationals.
   const std::optional<End>& low() const { return low_; }
   const std::optional<End>& high() const { return high_; }
 

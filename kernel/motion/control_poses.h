@@ -49,14 +49,13 @@ inline bool add_control_poses(const Body_motion::Forms& forms, int halvings, std
   return true;
 }
 
-/// Returns poses whose images hold a moving body: at every time in [0, 1] a point of it is in the hull of its images
-/// under these. The body need not take these poses, and det M may be 0.
+/// Returns poses whose images hold a moving body: at every time in [0, 1], each point of it is in the hull of the
+/// point's images under these. The body need not take these poses, and det M may be 0.
 ///
 /// For a linear motion they are both ends. For a rigid one they are the coefficients of M and v over those of w, in
-/// Bernstein's basis. Where the coefficients of w are positive, the place at any time is a sum of such images with
-/// weights that are not negative and have the sum 1. The time is halved until they are positive, and until no M has an
-/// entry above 2. (A rotation has none above 1.) Returns nothing where 24 nested halvings do not suffice, and where an
-/// entry is beyond all doubles.
+/// Bernstein's basis. Where the coefficients of w are positive, the place at any time is a weighted mean of such
+/// images. The time is halved until they are positive, and until no M has an entry above 2. (A rotation has none above
+/// 1.) Returns nothing where 24 nested halvings do not suffice, and where an entry is beyond all doubles.
 inline std::optional<std::vector<Pose>> control_poses(const Body_motion& motion)
 {
   if (const auto& ends = motion.ends()) return std::vector<Pose>(ends->begin(), ends->end());

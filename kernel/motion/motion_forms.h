@@ -6,11 +6,11 @@
 
 /// The polynomials in time whose signs tell whether two moving primitives meet, over any number type.
 ///
-/// A polynomial of degree n is a form in s = 1-t and t: its coefficient k belongs to s^(n-k) t^k, so the first is its
-/// value at t = 0 and the last its value at t = 1. Let a, b, c be the differences from the first of the four points to
-/// the others. Three cross products make up all forms: n1 = a x b, n2 = b x c, n3 = c x a. Their components are the
-/// orientations of the points projected along an axis. n1 + n2 + n3 gives the orientations of the last three points. n1
-/// . c is the volume, which is zero where the four points are coplanar.
+/// A polynomial of degree n is a form in s = 1-t and t. Its coefficient k belongs to s^(n-k) t^k. So the first
+/// coefficient is its value at t = 0, and the last its value at t = 1. Let a, b, c be the differences from the first of
+/// the four points to the others. Three cross products make up all forms: n1 = a x b, n2 = b x c, n3 = c x a. Their
+/// components are the orientations of the points projected along an axis. n1 + n2 + n3 gives the orientations of the
+/// last three points. n1 . c is the volume, which is zero where the four points are coplanar.
 namespace tetracone::kernel {
 
 template <class Number>

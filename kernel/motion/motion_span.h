@@ -66,10 +66,10 @@ struct Time_window {
 
 /// A span of time from m / 2^k to (m+1) / 2^k, with the motion of two bodies in it, in double.
 ///
-/// Points of both, in common coordinates and times their common divisor, are forms in time. By their coefficients in
-/// Bernstein's basis over the span they are sums with weights that are not negative. Take the gaps of two hulls along
-/// an axis, one at each coefficient. Where a function that is linear in time lies below them, the hulls are apart while
-/// it is positive.
+/// Points of both, in common coordinates and times their common divisor, are forms in time. At each time of the span
+/// they are sums of their coefficients in Bernstein's basis, with weights that are not negative. Take the gaps of two
+/// hulls along an axis, one at each coefficient. Where a function that is linear in time lies below them, the hulls are
+/// apart while it is positive.
 class Motion_span {
  public:
   static constexpr std::size_t most_coefficients = 8;

@@ -68,8 +68,8 @@ class Times_before {
   CGAL::Sign sign(const Integer_form& form) { return sgn(form.at_start()) == 0 ? CGAL::ZERO : sign_after_start(form); }
 
  private:
-  /// False where a form is surely not G times a form without roots up to the end: such a product changes its sign in
-  /// T's cell.
+  /// False where the form is surely not a product of G and a form without roots up to the end. Such a product changes
+  /// its sign in T's cell.
   bool may_have_root(const Integer_form& form) const
   {
     return sgn(t_) == 0 || sgn(form.at(s_, t_)) * sgn(form.at_end()) < 0;

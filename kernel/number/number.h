@@ -92,7 +92,7 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
   return Rational(decimal(numerator) / divisor);
 }
 
-/// Returns a fraction of few digits that every double is below, equal to or above as it is of `value`.
+/// Returns a fraction of few digits that compares with every double (less, equal or greater) as `value` does.
 ///
 /// `value` is scaled by a power of two so that its integer part has 127 or 128 bits, more than the largest double has
 /// places before its last bit is known. One bit more tells whether something is left.

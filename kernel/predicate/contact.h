@@ -7,9 +7,9 @@
 
 namespace tetracone::kernel {
 
-/// How a closed edge and a closed face meet. Where they share exactly one point, the kind names the dimensions of the
-/// two elements (vertex, edge, face) whose relative interior holds that point, the lower one first; a degenerate edge
-/// is a vertex. Where they share more than one point they lie in one plane.
+/// How a closed edge and a closed face meet. Where they share exactly one point, the kind names the two elements
+/// (vertex, edge, face) whose relative interiors hold that point. The element of lower dimension comes first. A
+/// degenerate edge is a vertex. Where they share more than one point they lie in one plane.
 enum class Contact {
   none,             ///< no common point
   vertex_vertex,    ///< an end of the edge at a vertex of the face

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-/// The exact distance of two faces. It is attained between a vertex and a face, a vertex and an edge, two vertices, or
-/// two edges; or the faces cross and it is 0. Coordinates are binary fractions. Those of both faces are multiplied by
-/// one common weight.
+/// The exact distance of two faces. It is 0 where the faces cross. Else it is attained between a vertex and a face, a
+/// vertex and an edge, two vertices, or two edges. Coordinates are binary fractions. Those of both faces are multiplied
+/// by one common weight.
 namespace tetracone::kernel {
 
 using Exact_number = CGAL::Mpzf;
@@ -26,9 +26,9 @@ struct Exact_point {
   Exact_number weight = 1;
 };
 
-/// The nearest points of two sets, and the direction from A's to B's: with m the direction, m . a <= low on A's feature
-/// and m . b >= high on B's. Squared distance: (high - low)^2 / m^2. Where the sets meet, low = high; where an edge
-/// crosses a face, both are 0 and bound nothing.
+/// The nearest points of two sets, and the direction m from A's to B's. It has m . a <= low for all points a of A's
+/// feature, and m . b >= high for all points b of B's. The squared distance is (high - low)^2 / m^2. Where the sets
+/// meet, low = high; where an edge crosses a face, both are 0 and bound nothing.
 struct Exact_distance {
   Exact_vector direction;
   Exact_number low, high;
@@ -84,8 +84,8 @@ inline Exact_distance distance_of_points(const Exact_vector& x, const Exact_vect
 /// Tells whether the nearest points are asked for, or only the direction and the supports of the features along it.
 enum class Nearest_points { are_not_asked_for, are_asked_for };
 
-/// Returns the distance of a point and a segment where the nearest point of its line is on it; nothing elsewhere, and
-/// for a segment that is a point.
+/// Returns the distance of a point and a segment where the nearest point of the segment's line is on the segment.
+/// Returns nothing elsewhere, and for a segment that is a point.
 inline std::optional<Exact_distance> distance_to_edge(const Exact_vector& x, const Exact_vector& a,
                                                       const Exact_vector& b,
                                                       Nearest_points points = Nearest_points::are_asked_for)
@@ -222,9 +222,9 @@ inline Exact_distance distance_of_faces(const Exact_face& a, const Exact_face& b
   return *best;
 }
 
-/// Returns the distance of two hulls of one to three corners where the nearest points of their affine hulls are on
-/// them, and one is a corner or both are edges. Such hulls may be the features of triangles that hold their nearest
-/// points. Returns nothing elsewhere.
+/// Returns the distance of two hulls of one to three corners, of which one is a corner or both are edges, where the
+/// nearest points of their affine hulls are on them. Such hulls may be the features of triangles that hold their
+/// nearest points. Returns nothing elsewhere.
 inline std::optional<Exact_distance> distance_of_hulls(const std::vector<Exact_vector>& a,
                                                        const std::vector<Exact_vector>& b, Nearest_points points)
 {

@@ -10,9 +10,9 @@
 
 namespace tetracone::kernel {
 
-/// `sides<Adaptive>` of placed bodies, which asks the stages after the filter once a point and plane. Triangles that
-/// share a corner share such signs: they are asked again and again where bodies touch. A point's address stands for its
-/// image until `clear`.
+/// Returns what `sides<Adaptive>` returns for points of placed bodies, but mostly asks the stages after the filter only
+/// once for a plane and a point: it is a cache. Triangles that share a corner ask for the same sign again and again
+/// where bodies touch. A point's address stands for its image until `clear`.
 class Kept_sides {
  public:
   std::array<Sign, 3> operator()(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
@@ -28,6 +28,7 @@ class Kept_sides {
   /// Returns the number of calls so far in which the filter left a sign undecided.
   std::uint64_t undecided() const { return undecided_; }
 
+  /// Returns the bytes of the cache.
   std::size_t bytes() const { return kept_.capacity() * sizeof(Kept); }
 
  private:
@@ -40,7 +41,7 @@ class Kept_sides {
     Sign side = ZERO;
   };
 
-  /// The places of signs. A sign takes the place of another one that has the same.
+  /// The size of the cache. A sign overwrites another one that has the same place by its hash.
   static constexpr std::size_t places = 256;
 
   [[gnu::noinline]] void decide(Some_sides& sides, const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
@@ -66,7 +67,7 @@ class Kept_sides {
 
   Kept& place(const Corners<Adaptive>& triangle, Point point)
   {
-    // Multiplied by odd numbers without a pattern, so that the upper bits depend on all of the addresses.
+    // A hash: addresses are multiplied by odd numbers without a pattern, so that the upper bits depend on all of them.
     const auto part = [](Point p, std::uint64_t factor) { return reinterpret_cast<std::uintptr_t>(p) * factor; };
     const std::uint64_t mixed = part(triangle[0], 0x9e3779b97f4a7c15) + part(triangle[1], 0xc2b2ae3d27d4eb4f) +
                                 part(triangle[2], 0x165667b19e3779f9) + part(point, 0xff51afd7ed558ccd);

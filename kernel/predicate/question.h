@@ -73,7 +73,7 @@ constexpr std::string_view to_string(Solid_relation relation)
   return "disjoint";
 }
 
-/// How two placed solids stand, and how large the set is that their surfaces share.
+/// The relation of two placed solids, and the dimension of the set that their surfaces share.
 struct Solid_contact {
   Solid_relation relation;
   int dimension;  ///< of that set: 0 points alone, 1 a segment and no area, 2 an area; -1 where it is empty

@@ -25,8 +25,8 @@
 /// against the plane.
 namespace tetracone::kernel {
 
-/// A planar face as its covering sees it: directed edges (from, to) of all its loops, the origin W of its covering,
-/// which is one of its corners, and a triangle of corners that spans its plane.
+/// A planar face as its covering sees it. It has the directed edges (from, to) of all its loops, and the origin W of
+/// its covering, which is one of its corners. A triangle of its corners spans its plane.
 template <class Face, class K>
 concept Covered_face = requires(const Face& face, std::size_t k)
 {
@@ -214,7 +214,7 @@ Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face)
 
 /// Returns how the closed segment pq and the closed triangle abc meet. It is `segment_face` of the face that is its own
 /// covering, in at most five signs where nothing degenerate is met. The signs are those of the barycentric coordinates
-/// of q in the tetrahedron p a b c. q is beyond the triangle from p when its coordinate at p is not positive while
+/// of q in the tetrahedron p a b c. The triangle is between p and q when q's coordinate at p is not positive while
 /// those at a, b, c are not negative. `side_p` and `side_q` are the sides of p and q against the plane a b c.
 template <class K>
 Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b, const Point<K>& c,

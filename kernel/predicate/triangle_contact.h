@@ -37,8 +37,8 @@ namespace detail {
 
 /// Finds the set that two triangles in different planes share, when each meets the other's plane.
 ///
-/// After Guigue and Devillers: p0 and q0 are each alone on the positive side of the other's plane. On the common line
-/// the triangles' intervals are [a2, a1] and [b1, b2], where edge p0 pi meets the line in ai, q0 qj in bj, and
+/// After Guigue and Devillers: p0 and q0 are each alone on the positive side of the other's plane. Edge p0 pi meets the
+/// common line in ai, and edge q0 qj in bj. The triangles' intervals there are [a2, a1] and [b1, b2], and
 /// volume_sign(p0, pi, q0, qj) is the sign of bj - ai.
 template <class K>
 Triangle_contact crossing_contact(const Corners<K>& p, const Corners<K>& q, const std::array<Sign, 3>& side_p,

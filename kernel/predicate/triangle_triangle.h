@@ -92,9 +92,9 @@ inline bool all_strictly_beside(const std::array<Sign, 3>& side)
   return side[0] == side[1] && side[1] == side[2] && side[0] != ZERO;
 }
 
-/// Turns the triangle so that its first corner is alone on one closed side of the other's plane, and the two others are
-/// on the other closed side, not all three in the plane. Returns the first corner's side or, if it is in the plane, the
-/// opposite of the others'. Returns ZERO, without a turn, where all three are in the plane.
+/// Rotates the corners so that the first is alone on one closed side of the other's plane, and the two others are on
+/// the other closed side. Returns the first corner's side or, if it is in the plane, the opposite of the others'.
+/// Returns ZERO, and changes nothing, where all three are in the plane.
 template <class K>
 Sign turn_alone_first(Corners<K>& triangle, const std::array<Sign, 3>& side)
 {
@@ -120,8 +120,8 @@ bool is_parted_by_edge(const Corners<K>& p, Sign turn, const Corners<K>& q, int 
   return false;
 }
 
-/// True when two triangles of one plane share a point; nothing where a projection along one axis does not keep both
-/// triangles, as of one that is degenerate. Convex polygons are apart exactly where an edge of one parts them.
+/// True when two triangles of one plane share a point. Nothing where the projection along one axis does not keep the
+/// area of both, as where one is degenerate. Convex polygons are apart exactly where an edge of one parts them.
 template <class K>
 std::optional<bool> coplanar_triangles_meet(const Corners<K>& p, const Corners<K>& q)
 {

@@ -26,13 +26,13 @@
 ///       return fastest;
 ///     }
 ///
-/// Vectors never cross a call, and no vector function is a friend defined in a class template: g++ compiles that for
-/// the static target, and where it is not optimised away it takes vectors from other registers. Signs are the same bits
-/// in all versions: functions that decide them use neither MulAdd nor sums over lanes.
+/// Vectors never cross a call. No vector function is a friend defined in a class template: g++ compiles such a friend
+/// for the static target, and without optimisation it takes vectors from other registers. Signs are the same bits in
+/// all versions: functions that decide them use neither MulAdd nor sums over lanes.
 ///
-/// Highway generates the operations of a target once in a translation unit. One that has Highway code of its own may
-/// include this header after all of them (where HWY_ONCE is true), which takes the operations that are there; or before
-/// them, and then its own code is compiled for its static target only.
+/// Highway generates the operations of a target once in a translation unit. A unit that has Highway code of its own may
+/// include this header after all of them (where HWY_ONCE is true); it then uses the operations that are there. Or it
+/// includes this header before them; then its own code is compiled for its static target only.
 
 #ifdef HIGHWAY_HWY_FOREACH_TARGET_H_
 #if !HWY_ONCE

@@ -58,14 +58,14 @@ class Last_corners {
   kernel::Hull hull_{};
 };
 
-/// Returns kernel::extent, of which few corners are multiplied exactly.
+/// Returns what kernel::extent returns, but multiplies few corners exactly.
 inline kernel::Exact_number extent_of(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign)
 {
   return kernel::extent(Last_corners(hull, m, sign).hull(), m, sign);
 }
 
-/// Returns kernel::direction_between of hulls of many corners. It is searched for on a few of them, to which those are
-/// added that a direction found for the few leaves behind.
+/// Does what kernel::direction_between does, for hulls of many corners. It searches with a few corners, and adds those
+/// that the direction found does not separate.
 inline std::optional<kernel::Rounded_vector> direction_by_few(std::span<const kernel::Hull_pair> pairs, double distance)
 {
   using kernel::Hull;
@@ -104,8 +104,8 @@ inline std::optional<kernel::Rounded_vector> direction_by_few(std::span<const ke
   return std::nullopt;
 }
 
-/// A cover as certificates hold it: directions, and a recursion over groups that names one for each pair that is left
-/// closed. The checker of experiments/certificates/ says what it proves.
+/// A cover as certificates hold it. `nodes` is its NODE as JSON: it opens groups, and names one of `directions` for
+/// each pair of groups that stays closed. experiments/certificates/README.md says what it proves.
 struct Cover {
   std::vector<kernel::Exact_vector> directions;
   std::string nodes;
@@ -120,14 +120,15 @@ class Cover_search {
  public:
   Cover& cover() { return cover_; }
 
-  /// Adds a direction without a test.
+  /// Adds a direction without a test, and returns its number.
   std::size_t add(kernel::Exact_vector m)
   {
     cover_.directions.push_back(std::move(m));
     return cover_.directions.size() - 1;
   }
 
-  /// True when holds(m) of a known direction or of one that is found; its number is appended to the nodes.
+  /// True when holds(m) of a direction that is found; its number is then appended to the nodes. Directions of few bits
+  /// are tried first.
   template <class Holds>
   bool separates(std::span<const kernel::Hull_pair> pairs, double distance,
                  const std::optional<kernel::Exact_vector>& recession, const Holds& holds)
@@ -296,8 +297,9 @@ class Probe_cover {
     make_solid_probe();
   }
 
-  /// Calls meets(piece, face, solid probe) for each piece that the probe meets, until it returns `stops`; it appends a
-  /// node where it returns `is_covered`. True when all pieces are covered. Throws Face_without_triangles.
+  /// Calls meets(piece, face, is_apart) for each piece whose hull no direction separates from the probe, until it
+  /// returns `stops`. `is_apart` tells that the face itself shares no point with the probe. meets() appends a node
+  /// where it returns `is_covered`. True when all pieces are covered. Throws Face_without_triangles.
   template <class Meets>
   bool operator()(const Meets& meets)
   {

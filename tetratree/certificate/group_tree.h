@@ -40,11 +40,13 @@ class Group_tree {
   /// Returns the element that is piece n.
   const Element& piece(std::size_t n) const { return element(order_[n]); }
 
+  /// What a cover needs of a group.
   struct Group {
     std::vector<std::uint32_t> corners;  ///< all vertices of its pieces, each once unless it is one piece
     Index least_face;                    ///< of the source faces
   };
 
+  /// Returns the group of a box. The reference stays valid.
   const Group& group(Box_id box)
   {
     const auto found = groups_.find(box);
@@ -76,7 +78,8 @@ class Group_tree {
     return members;
   }
 
-  /// Writes the members of this group, too, since a cover names them. Requires that those above it are written.
+  /// Makes `write` write the members of this group, since a cover names them. Requires that the groups above it are
+  /// opened.
   void open(Box_id box) { opened_.insert(box); }
 
   bool is_opened() const { return !opened_.empty(); }

@@ -80,11 +80,12 @@ class Certificate {
   /// that touch and do not overlap are proved where a plane is between them, or where a body that shrinks, grows or
   /// moves aside a little has no contact left. Equal solids are proved where they have the same faces, too.
   bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
-  /// Adds what `Query::exits` answers, as fractions. True where it is proved, as `meet`. Else nothing is added.
+  /// Adds what `Query::exits` answers, as fractions. True where it is proved, by what proves `meet` in `relation`. Else
+  /// nothing is added.
   bool exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction,
              const Exits& answer);
-  /// Adds the translation of `Query::depth`, an upper bound; the lower bound has no proof. True where it is proved, as
-  /// `meet`. Else nothing is added.
+  /// Adds the translation of `Query::depth`, an upper bound; the lower bound has no proof. True where it is proved, by
+  /// what proves `meet` in `relation`. Else nothing is added.
   bool depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer);
   /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added: the motion is rigid, or
   /// the bodies only graze.

@@ -24,8 +24,9 @@ struct Overlap_data {
   bool has_volume() const { return solid.volume.top != 0; }
 };
 
-/// Answers how solids stand, how much they overlap and how they part, by the fast tree and the adaptive kernel.
-/// Requires closed bodies, and det M != 0.
+/// Answers which relation solids have, how much they overlap and how far they must be moved apart, by the fast tree and
+/// the adaptive kernel. Each function returns what the function of `Query` with its name returns; `relation` is
+/// `Query::solid_relation`. Requires closed bodies, and det M != 0.
 class Relation_solver {
  public:
   virtual ~Relation_solver() = default;

@@ -19,7 +19,8 @@ namespace tetracone::detail {
 class Solver {
  public:
   virtual ~Solver() = default;
-  /// Returns how the placed bodies stand. `memory` is of these placed bodies, or null; a solver may leave it unused.
+  /// Returns the relation of the placed bodies. `memory` is that of these placed bodies, or null; a solver may leave it
+  /// unused.
   virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
                             tetratree::Pair_memory* memory) = 0;
   virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;

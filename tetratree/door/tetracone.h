@@ -233,7 +233,7 @@ class Answer {
   /// True when the bodies collide.
   explicit operator bool() const { return relation_ != Relation::apart; }
 
-  /// Returns how the bodies stand. Under `Question::surface` it is `apart` or `surfaces`.
+  /// Returns the relation of the bodies. Under `Question::surface` it is `apart` or `surfaces`.
   Relation relation() const { return relation_; }
 
  private:
@@ -253,8 +253,8 @@ class Query {
   /// Moves; the query that is moved from throws Error when it is asked.
   Query& operator=(Query&&) noexcept;
 
-  /// Returns how the bodies stand under these poses. Throws Error when the thread's floating point is not as exact
-  /// answers need it, and for a query that has been moved from.
+  /// Returns whether the bodies collide under these poses, and their relation. Throws Error when the thread's floating
+  /// point is not as exact answers need it, and for a query that has been moved from.
   Answer collide(const Pose& pose_a, const Pose& pose_b);
 
   /// Returns the answer for poses of the templates (`exact`). Requires det M != 0.

@@ -39,7 +39,7 @@ namespace tetracone::tetratree {
 /// meanwhile. A node is made under a lock and then published by its parent, so that a descent takes no lock.
 class Bvh8 {
  public:
-  /// Makes the root. `triangles` cover exactly each face that has some. Requires planar faces. `both` may run two works
+  /// Makes the root. `triangles` cover exactly each face that has some. Requires planar faces. `both` may do two things
   /// at a time; the tree does not depend on it.
   explicit Bvh8(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles = {},
                 const Bvh8_options& options = {}, const covering::Both& both = {})

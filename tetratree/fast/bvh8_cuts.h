@@ -11,8 +11,8 @@
 
 namespace tetracone::tetratree {
 
-/// A pencil of planes: all across one direction or, for a cone, all through the origin and a line there. Each point has
-/// one plane.
+/// A pencil of planes. Either all are perpendicular to `across`; or, for a cone, all go through one line through the
+/// origin. Each point is on one of them.
 struct Pencil {
   kernel::Vector across;
   std::optional<kernel::Vector> along;  ///< for a cone: the direction into it

@@ -22,11 +22,11 @@ namespace tetracone::tetratree {
 /// The support function of a body: an upper bound of h(d) = max d . p over its points p, in local units, in constant
 /// time.
 ///
-/// h is sublinear. So h(d) is at most the sum of the values at the corners of the lattice cone that holds d, weighted
-/// by d's barycentric coordinates in it. The lattice is flat, on the octahedron |x| + |y| + |z| = 1. Its cones are
-/// those that JS08 section 2.1 gets by halving edges, four times. The regular hull (section 2.3.3) is made of these;
-/// here it is evaluated in the directions that a query needs. A value is computed from the tree's boxes when a table of
-/// the tree first asks for it.
+/// h is sublinear. So h(d) is at most a weighted sum of the values at the corners of the lattice cone that holds d. The
+/// weights are d's barycentric coordinates in it. The lattice is flat, on the octahedron |x| + |y| + |z| = 1. Its cones
+/// are those that JS08 section 2.1 gets by halving edges, four times. The regular hull (section 2.3.3) is made of
+/// these; here it is evaluated in the directions that a query needs. A value is computed from the tree's boxes when a
+/// table of the tree first asks for it.
 class Support_table {
  public:
   /// The position of a direction d in the lattice. Corner 0 is number `first`, 1 the next, 2 and 3 the two beside them

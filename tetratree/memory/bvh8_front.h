@@ -25,7 +25,7 @@ namespace tetracone::tetratree {
 ///
 /// The front covers all pairs of elements. An entry is some lanes of a node and a box of the other body, or a pair of
 /// leaves, or of boxes still to be opened. It has a lower bound of their gap. Gaps and motions are in A's local units;
-/// A stands still.
+/// A rests.
 ///
 /// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later
 /// motions are taken as multiples of that step. The stray is an upper bound of the distance between a point and where
@@ -50,9 +50,9 @@ namespace tetracone::tetratree {
 /// same order, may share a query object and keep a front each. A front is not for two threads at a time.
 class Bvh8_front {
  public:
-  /// The result for a pair of leaves: elements meet, or `gap` is a lower bound of the distance of any two, in A's local
-  /// units; 0 if unknown. `axis` is the direction of the gap, of length 1, from A's to B's; 0 if several directions
-  /// were used.
+  /// The result for a pair of leaves. Either elements meet, or `gap` is a lower bound of the distance of any two, in
+  /// A's local units; 0 if unknown. `axis` is the direction of the gap, of length 1, from A's to B's; 0 if several
+  /// directions were used.
   struct Leaf_gap {
     bool meet = false;
     double gap = 0;

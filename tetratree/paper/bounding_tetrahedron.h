@@ -12,8 +12,8 @@ namespace tetracone::tetratree {
 /// fractions `length[i]` = |V0 V'i| / |V0 Vi|.
 ///
 /// `shortened` begins with an isosceles tetrahedron as long as the farthest vertex needs. Then it runs the loop of
-/// section 2.3.1: each edge in turn is shortened by a fraction; if the tetrahedron no longer bounds, the edge is
-/// lengthened again by a fraction; and that is kept if it bounds. `tightest` takes the bounding plane of least volume.
+/// section 2.3.1. Each edge in turn is shortened by a fraction. If the tetrahedron no longer bounds, the edge is
+/// lengthened again by a fraction, and that is kept if it bounds. `tightest` takes the bounding plane of least volume.
 ///
 /// Departures: the fractions are 3 % and 1.5 % where Fig. 8 shows 10 % and 5 % (`Config::shorten_by`). The test
 /// "bounds" is the sign of the barycentric coordinate at V0 of all vertices at once: the largest of the linear forms

@@ -77,7 +77,7 @@ class Collision {
     return relation(pose_a, pose_b, question) != Relation::apart;
   }
 
-  /// Returns how the two placed polyhedra stand to one another. Requires as above.
+  /// Returns the relation of the two placed polyhedra. Requires as above.
   Relation relation(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     const Fallbacks fallbacks(counts_);

@@ -36,9 +36,9 @@ Tetra_cone cone_towards(const kernel::Bound_point<B>& direction, int level)
   return cone;
 }
 
-/// The regular hull of a polyhedron (JS08 Definition 7): the triangles V''1 V''2 V''3 of all cones of a level, every
-/// vertex at distance dmax from V0 on its ray. It holds all bounding tetrahedra. So the polyhedron lies in the
-/// half-space of each triangle, which Theorem 2 uses.
+/// The regular hull of a polyhedron (JS08 Definition 7). It has the triangle V''1 V''2 V''3 of each cone of a level,
+/// with every vertex at distance dmax from V0 on its ray. It holds all bounding tetrahedra. So the polyhedron lies in
+/// the half-space of each triangle, which Theorem 2 uses.
 ///
 /// Sound form. The hull is convex for every full level that is used here (levels 1 to `deepest_convex_level`, proved by
 /// intervals in its test). Leaves lie at different depths, so dmax is the longest edge over *all* leaves, and the level

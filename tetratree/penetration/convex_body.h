@@ -15,9 +15,9 @@
 
 namespace tetracone::tetratree {
 
-/// True when the solid is convex, and its surface is nothing but its border. Each triangle then parts the solid from
-/// its outside, and has all corners on one side of its plane or on it. Bodies with more pairs of a triangle and a
-/// corner than `most_pairs` are not looked at: false.
+/// True when the solid is convex, and no face lies inside it. Then each triangle parts the solid from its outside, and
+/// no two corners are on different sides of its plane. Bodies with more pairs of a triangle and a corner than
+/// `most_pairs` are not looked at: false.
 inline bool is_convex(const covering::Polyhedron& polyhedron, const Solid_sides& sides)
 {
   constexpr std::size_t most_pairs = 20'000'000;

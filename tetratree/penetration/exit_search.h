@@ -90,7 +90,8 @@ class Exit_search {
     std::optional<Rational> exact;
   };
 
-  /// Returns the largest `high` of all pairs or, of those that have a rise between their ends.
+  /// Returns the largest `high` of all pairs of pieces. With a rise `through`, it looks only at pairs that have it
+  /// between their ends; nothing if there is none.
   std::optional<Rational> largest_high(const Rational* through)
   {
     // Names, since clang 14 lets no function object take a structured binding.

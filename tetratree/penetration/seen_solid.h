@@ -23,19 +23,20 @@
 
 namespace tetracone::tetratree {
 
-/// A convex part of a face, as a view sees it.
+/// A convex part of a face, in the coordinates of a view.
 struct Seen_piece {
   kernel::Convex_piece<kernel::Interval> about;
   std::optional<kernel::Convex_piece<kernel::Rational>> exact;  ///< nothing until it is needed
-  bool is_bounded;                                              ///< `about` can be computed with
+  bool is_bounded;                                              ///< the numbers of `about` are far from overflow
   Index face;
   std::size_t cell;  ///< of a face that is not a plain triangle
 };
 
-/// A solid and its tree, as a view sees them: convex pieces of faces, and boxes.
+/// A solid and its tree in the coordinates of a view (see `see`): convex pieces of faces, and boxes.
 ///
 /// The pieces of a face are those that have the solid on some side. A plain triangle is one piece. Every other face is
-/// cut by those that meet it. So no face of the solid goes through a piece, and the solid is the same along all of it.
+/// cut by those that meet it. So no face of the solid goes through a piece, and each side of a piece is wholly in the
+/// solid, or not at all.
 class Seen_solid {
  public:
   /// `tree` has the faces of `polyhedron` as elements. All must outlive this object.

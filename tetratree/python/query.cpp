@@ -584,8 +584,8 @@ True
 )")
       .def("relation", of_poses<&relation>("relation"), poses_b, poses_a, R"(relation(poses_b, *, poses_a=None)
 
-How the bodies stand: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a"; of one pose of
-each, a str. Arguments as of `collide`.
+The relation of the bodies: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a"; of one pose
+of each, a str. Arguments as of `collide`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])

@@ -316,7 +316,7 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           [](Locked_scene& self, std::size_t first, std::size_t second) {
             return std::string(to_string(self.alone([&](Scene& scene) { return scene.relation(first, second); })));
           },
-          a, b, "relation(a, b)\n\nHow two placed bodies stand, as `Query.relation`.")
+          a, b, "relation(a, b)\n\nThe relation of two placed bodies, as `Query.relation`.")
       .def(
           "solid_relation",
           [](Locked_scene& self, std::size_t first, std::size_t second) {

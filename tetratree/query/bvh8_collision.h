@@ -75,8 +75,8 @@ class Bvh8_collision {
     return relation(pose_a, pose_b, question) != Relation::apart;
   }
 
-  /// Returns how the two placed polyhedra stand to one another. Requires as above. `memory` keeps what was learnt about
-  /// this pair of placed bodies; null: what the object keeps, if anything.
+  /// Returns the relation of the two placed polyhedra. Requires as above. `memory` keeps what was learnt about this
+  /// pair of placed bodies; null: what the object keeps, if anything.
   Relation relation(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid,
                     Pair_memory* memory = nullptr)
   {
@@ -321,8 +321,8 @@ class Bvh8_collision {
     count(trees);
   }
 
-  /// True when some pair of leaves that the descent does not discard meets, which becomes the witness; nothing where
-  /// the plane of a triangle separates the bodies.
+  /// True when some pair of leaves that the descent does not discard meets; that pair becomes the witness. Nothing
+  /// where the plane of a triangle separates the bodies.
   std::optional<bool> descend_trees(Pair_memory* memory)
   {
     Both_trees trees = both_trees();

@@ -38,8 +38,9 @@ struct Nearest_pair {
 /// The distance of two placed `Bvh8` over kernel K. Build once, ask for many poses.
 ///
 /// Bodies that collide, which `Bvh8_collision` decides, have distance 0. For others, pairs of boxes are opened, roughly
-/// the nearest first, while their lower bound is not above the least upper bound of a pair of triangles. The first
-/// upper bounds come from the pair that was nearest in the last pose, and from the pair that the nearest boxes lead to.
+/// the nearest first. That goes on while their lower bound is not above the least upper bound of a pair of triangles.
+/// The first upper bounds come from the pair that was nearest in the last pose, and from the pair that the nearest
+/// boxes lead to.
 ///
 /// Distances of triangles are enclosed in double. Almost always one pair is left that may be the nearest; its distance
 /// is enclosed in double-double. Exact numbers decide where that does not determine the nearest double or prove that no

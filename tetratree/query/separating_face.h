@@ -33,6 +33,7 @@ class Separating_face {
     return separates(a, of_a, side_of_a_, b, sides_of) || separates(b, of_b, side_of_b_, a, sides_of);
   }
 
+  /// Returns the bytes of what is kept from query to query.
   std::size_t bytes() const { return (side_of_a_.capacity() + side_of_b_.capacity()) * sizeof(Side); }
 
  private:

@@ -51,6 +51,7 @@ class Integer_placing {
       }
   }
 
+  /// Returns the placed vertex, times `scale`.
   kernel::Number_point<mpz_class> operator()(int body, const kernel::Vertex& v) const
   {
     kernel::Number_point<mpz_class> x, image;
@@ -75,7 +76,7 @@ class Integer_placing {
   std::array<std::array<mpz_class, 12>, 2> map_;
 };
 
-/// The vertices of two bodies in intervals, from a point near them. Requires upward rounding.
+/// The placed vertices of two bodies in intervals, relative to a point near them. Requires upward rounding.
 class Interval_placing {
  public:
   using Number = Interval;
@@ -94,6 +95,7 @@ class Interval_placing {
     }
   }
 
+  /// Returns an enclosure of the placed vertex less `origin`.
   kernel::Number_point<Interval> operator()(int body, const kernel::Vertex& v) const
   {
     return kernel::image(v, map_[body]);
@@ -108,8 +110,8 @@ class Interval_placing {
 /// True when vertex v of a body is in the other solid. It is asked for vertices that are not on the other surface.
 using Is_vertex_inside = std::function<bool(int body, Index v)>;
 
-/// The overlap of two simple solids in general position: all that their surfaces share are segments, at whose ends an
-/// edge of one goes through the inside of a face of the other. No face needs to be cut into cells then.
+/// The overlap of two simple solids in general position. All that their surfaces share are segments, and at each end an
+/// edge of one solid goes through the inside of a face of the other. No face needs to be cut into cells then.
 template <class Placing>
 class Crossing_overlap {
  public:

@@ -23,14 +23,15 @@ using kernel::Rational;
 using kernel::Rational_face;
 using kernel::Rational_point;
 
-/// The sides of a place of a face, in the direction of a normal and against it: whether they are in a solid.
+/// Whether a solid is beside a point of a face: on the side to which a normal points (`along`), and on the other.
 struct Normal_sides {
   bool along = false, against = false;
 
+  /// True when the solid is not beside the point on some side.
   bool any_out() const { return !along || !against; }
 };
 
-/// A solid under a pose, in rationals. What it is made of must outlive it.
+/// A solid under a pose, in rationals. The polyhedron, sides and locator that it is made of must outlive it.
 class Placed_solid {
  public:
   Placed_solid(const covering::Polyhedron& polyhedron, const Solid_sides& sides, const Point_locator& locator)
@@ -56,7 +57,7 @@ class Placed_solid {
     return *map_;
   }
 
-  /// Returns a placed face.
+  /// Returns a placed face. The reference is valid until `place`.
   const Rational_face& face(Index f)
   {
     const auto known = faces_.find(f);
@@ -64,7 +65,7 @@ class Placed_solid {
     return faces_.emplace(f, covering::rational_face(*polyhedron_, f, pose_)).first->second;
   }
 
-  /// Returns where x is with regard to the solid.
+  /// Returns whether a point of space is inside the placed solid, outside, or on its surface.
   covering::Location locate(const Rational_point& x) const { return locator_->locate(map().inverse(x)); }
 
   /// Returns the sides of a plain triangle along its placed normal.
@@ -74,7 +75,8 @@ class Placed_solid {
     return pose_.determinant_sign() > 0 ? Normal_sides{sides.front, sides.back} : Normal_sides{sides.back, sides.front};
   }
 
-  /// Returns the sides of x along a normal. Requires what `covering::sides` does, for the plane of that normal.
+  /// Returns the sides of a point x of space along a normal. Requires that all faces with area that hold x lie in the
+  /// plane of that normal, and hold x in their inside.
   Normal_sides sides_at(const Rational_point& x, const Rational_point& normal) const
   {
     int axis = 0;

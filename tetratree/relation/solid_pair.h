@@ -35,7 +35,7 @@ struct Solid_piece {
   }
 };
 
-/// A cell of a face, and both of its sides.
+/// A cell of a face, and on which of its sides the face's own solid is (`own`), and the other one (`other`).
 struct Seen_cell {
   bool is_on_other = false;  ///< it lies on a face of the other body
   Normal_sides own, other;   ///< along the axis of the face's cells, and against it
@@ -50,8 +50,8 @@ struct Solid_overlap {
 
 /// Two placed solids and all that their surfaces share.
 ///
-/// The faces of both cut space into regions. Each solid has all of a region or, but for its surface, nothing. Every
-/// region of a solid is beside a cell: a part of a face that no other face cuts. So the sides of all cells tell
+/// The faces of both cut space into regions. Each solid holds all of a region, or nothing of its inside. Every region
+/// of a solid is beside a cell: a part of a face that no other face cuts. So the sides of all cells tell
 /// - whether the interiors share a point: some side is in both solids;
 /// - whether A lies in B: no side is in A alone, and no point of A's surface is outside B.
 ///
@@ -63,7 +63,7 @@ class Solid_pair {
 
   Solid_pair(Placed_solid a, Placed_solid b) : solid_{std::move(a), std::move(b)} {}
 
-  /// Places the solids. `pieces` are all that the placed surfaces share.
+  /// Places the solids. Requires that `pieces` are all that the placed surfaces share.
   void place(const kernel::Pose& pose_a, const kernel::Pose& pose_b, std::vector<Solid_piece> pieces)
   {
     solid_[0].place(pose_a);
@@ -76,9 +76,10 @@ class Solid_pair {
     }
   }
 
+  /// Returns A for body 0, B for body 1.
   Placed_solid& solid(int body) { return solid_[body]; }
 
-  /// Returns the relation.
+  /// Returns which relation the placed solids have. Requires `place`.
   kernel::Solid_relation relation()
   {
     found_ = {};
@@ -156,7 +157,7 @@ class Solid_pair {
   }
 
   /// Calls what(face, cells, seen cells) for each face with area that meets the other body, and for each that is no
-  /// triangle, until it returns false.
+  /// triangle. Ends where what() returns false.
   template <class What>
   void for_cut_faces(int body, const What& what)
   {
@@ -276,8 +277,8 @@ class Solid_pair {
     });
   }
 
-  /// Calls of_cells(body, face, cells, seen cells) and of_whole(body, face, weight) for all faces that may bound the
-  /// overlap: those of which cells have to be looked at, and whole triangles that bound it.
+  /// Visits all faces that may bound the overlap. Calls of_cells(body, face, cells, seen cells) for those of which
+  /// cells have to be looked at, and of_whole(body, face, weight) for whole triangles that bound it.
   template <class Of_cells, class Of_whole>
   void for_border(const Of_cells& of_cells, const Of_whole& of_whole)
   {
@@ -368,7 +369,7 @@ class Solid_pair {
   }
 
   /// Notes whether a piece on a face meets the border of the face's own solid: a closed cell with a side that is not in
-  /// it. All cells of a plain triangle have like sides.
+  /// it. All cells of a plain triangle have equal sides.
   void note_borders(int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen)
   {
     bool& meets = found_.meets_border[1 - body];

@@ -40,9 +40,9 @@ inline void add_cuts(const kernel::Rational_face& p, const kernel::Rational_face
 /// Which sides of the faces of one body are in its solid. A side is in the solid where its winding number is not 0.
 ///
 /// A triangle is *plain* if it has area, and no other face meets it but in a vertex or an edge of both (by
-/// coordinates). Then no face divides its sides. Plain triangles at an edge of exactly two faces, which use it in
-/// opposite directions, have like sides, and are of one patch. One point tells the sides of a patch. Every other face
-/// is cut by those that meet it; one point of each cell tells its sides.
+/// coordinates). Then no face divides its sides. Two plain triangles have equal sides, and belong to one *patch*, where
+/// they share an edge of no other face and use it in opposite directions. One point tells the sides of a patch. Every
+/// other face is cut into cells by those that meet it. One point of each cell tells its sides.
 class Solid_sides {
  public:
   /// A face's sides. `front` is the side from which its corners are anticlockwise.
@@ -52,7 +52,7 @@ class Solid_sides {
     bool any_in = false, any_out = false;  ///< of a triangle: whether some side of some part is in the solid, or is not
   };
 
-  /// Requires a closed polyhedron, and its tree with a face for each element.
+  /// Requires a closed polyhedron, and its tree, of which each element is a face.
   Solid_sides(const Bvh8& tree, const covering::Polyhedron& polyhedron)
       : polyhedron_(&polyhedron), place_(covering::least_equal_vertices(polyhedron.vertices))
   {
@@ -70,6 +70,7 @@ class Solid_sides {
       if (!faces_[f].is_plain && !std::ranges::binary_search(uneven_, f)) see_cells(f);
   }
 
+  /// Returns the sides of face `f`.
   const Face_sides& of(Index f) const { return faces_[f]; }
 
   /// True when every face is plain, parts the solid from its outside, and has a neighbour of its patch at each edge.
@@ -85,7 +86,7 @@ class Solid_sides {
   /// Returns the faces that are not triangles with area: no tree of triangles leads to them.
   std::span<const Index> uneven() const { return uneven_; }
 
-  /// Returns the faces that meet a face that is not plain.
+  /// Returns the other faces that meet face `f` elsewhere than in a common vertex or edge. A plain face has none.
   std::span<const Index> cutters(Index f) const
   {
     const auto found = cutters_.find(f);

@@ -37,7 +37,7 @@ Number lower_side(const Number& place, const Number& low, const Number& grown)
 {
   return place + low - grown;
 }
-/// Same, for the upper side.
+/// Returns the upper side of such a box.
 template <class Number>
 Number upper_side(const Number& place, const Number& high, const Number& grown)
 {
@@ -92,8 +92,8 @@ class alignas(32) Body_box {
     return is_in;
   }
 
-  /// Returns a lower bound of the distance of two bodies, along the axis on which their boxes are farthest apart; not
-  /// above 0 where the boxes meet.
+  /// Returns a lower bound of the distance of two bodies, along the axis on which their boxes are farthest apart. It is
+  /// not above 0 where the boxes meet.
   double gap(const Body_place& place, const Body_box& other, const Body_place& other_place) const
   {
     double most = -std::numeric_limits<double>::infinity(), terms = 0;

@@ -137,7 +137,7 @@ inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
 inline constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
 
 /// Returns a box about the placed body, by the reaches of the body along each axis: unit h(M_i) from its local origin.
-/// Everything beyond `Local_scale::is_in_range`; within it, absolute errors are below 2^-1075 times 2^202.
+/// The box is all of space beyond `Local_scale::is_in_range`; within it, absolute errors are below 2^-1075 times 2^202.
 ///
 /// `table` is of the body, `scale` of its tree.
 inline World_box world_box(Support_table& table, const kernel::Local_scale& scale, const kernel::Pose& pose)

@@ -139,7 +139,7 @@ class Scene {
   /// Returns the cost of the last frame, or of a later call of `first_contacts`.
   const Frame_statistics& statistics() const;
 
-  /// Returns how two placed bodies stand now. Throws Error as `pairs`, and for bodies that are not placed.
+  /// Returns the relation of two placed bodies now. Throws Error as `pairs`, and for bodies that are not placed.
   Relation relation(std::size_t body_a, std::size_t body_b);
   /// Returns which of the eight relations of solids holds for them. Throws as `relation`, and as
   /// `Query::solid_relation`.

@@ -6,7 +6,7 @@
 
 namespace tetracone::tetratree {
 
-/// Returns a box that holds the body at every time of its motion; everything where there is no bound. It is the least
+/// Returns a box that holds the body at every time of its motion; all of space where there is no bound. It is the least
 /// box about `box_of(pose)` for all control poses, whose hull holds the motion. `box_of` returns a box about the body's
 /// image under a pose, which may be singular.
 ///

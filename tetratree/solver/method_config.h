@@ -22,7 +22,8 @@ inline tetratree::Config config_of(Method method)
   return tetratree::Config::brute();
 }
 
-/// Returns the name under which bodies keep the tetra-tree of these options, for all queries with equal options.
+/// Returns the name under which a body keeps the tetra-tree that these options ask for. Options of the same kernel,
+/// method and tolerance share a tree.
 inline std::string tree_name(const Query_options& options)
 {
   return std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' +

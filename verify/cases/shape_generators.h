@@ -64,9 +64,9 @@ Polyhedron box_with_cavity(double outer, double inner);
 /// A box with a square tunnel from bottom to top: 16 vertices, 10 faces, two of them with a hole; genus 1.
 Polyhedron prism_with_tunnel();
 
-/// The replacement of the paper's "complex polyhedron" (JS08 Fig. 15a), with its counts, 32 vertices and 18 faces, and
-/// a shape of our own: a three-armed wedge with a square and a triangular tunnel. Genus 2; two faces of nine corners
-/// and two holes, not convex. Centred near 0, radius 1.1.
+/// Returns the replacement of the paper's "complex polyhedron" (JS08 Fig. 15a). It has that one's counts, 32 vertices
+/// and 18 faces, and a shape of our own: a three-armed wedge with a square and a triangular tunnel. Its genus is 2, and
+/// two of its faces have nine corners and two holes, and are not convex. It is centred near 0, with a radius of 1.1.
 Polyhedron complex_one();
 
 /// The replacement of the paper's "complex polyhedron II" (JS08 Fig. 15b), with its counts, 44 vertices and 29 faces,

@@ -5,8 +5,9 @@
 
 namespace tetracone::verify {
 
-/// Requires a closed polyhedron. True when its solid is the convex hull of its vertices: every face has all of them on
-/// one side, which leaves one region inside, and that has a winding number, for there is a volume.
+/// Requires a closed polyhedron. True when its solid is the convex hull of its vertices. Then every face has all
+/// vertices on one side of its plane, which leaves one region inside. That region has a winding number other than 0,
+/// since there is a volume.
 bool is_convex(const covering::Polyhedron& what);
 
 }  // namespace tetracone::verify

@@ -34,7 +34,7 @@ class Brute_body {
 
   const covering::Polyhedron& polyhedron() const { return polyhedron_; }
 
-  /// The polyhedron's vertices, then the points where loops of a face cross.
+  /// Returns the polyhedron's vertices, then the points where loops of a face cross.
   const std::vector<Exact::Point_3>& points() const { return points_; }
 
   /// Doubles that enclose each point's coordinates: lower and upper, of x, y and z.
@@ -43,10 +43,10 @@ class Brute_body {
 
   const std::vector<Element>& elements() const { return elements_; }
 
-  /// The edges of all loops without their direction, (from, to) with from <= to, sorted and unique.
+  /// Returns the edges of all loops without their direction, (from, to) with from <= to, sorted and unique.
   const std::vector<std::pair<Index, Index>>& edges() const { return edges_; }
 
-  /// Three corners of face `f` that are not on one line; nothing for a face on a line.
+  /// Returns three corners of face `f` that are not on one line; nothing for a face on a line.
   const std::optional<std::array<Index, 3>>& base(Index f) const { return bases_[f]; }
 
   /// True when every directed edge occurs as often as its reverse: the polyhedron bounds a solid.

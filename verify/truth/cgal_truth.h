@@ -21,6 +21,7 @@ using kernel::Question;
 
 namespace detail {
 
+/// True when the elements x of a and y of b share a point.
 bool elements_meet(const Placed_body& a, const Element& x, const Placed_body& b, const Element& y);
 
 /// Returns the winding number of the surface of `solid` about the image of `point` of `other`, by signed crossings of a
@@ -31,6 +32,7 @@ int winding(const Placed_body& solid, const Placed_body& other, Index point);
 /// Same, for a point that is on no triangle of the surface.
 int winding(const Placed_body& solid, const std::array<kernel::Rational, 3>& point);
 
+/// True when the surfaces share a point.
 bool surfaces_meet(const Placed_body& a, const Placed_body& b);
 
 /// True when some connected part of the surface of `inner` is in the solid of `outer`. Requires surfaces that share no

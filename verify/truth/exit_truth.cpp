@@ -81,7 +81,7 @@ void add_events(const Exact_vector& x, const Exact_vector& d, const Surface& sur
   }
 }
 
-// The least width for which n . v >= width parts two convex solids, for a translation v of A.
+// A normal n, and the least width for which every translation v of A with n . v >= width parts two convex solids.
 struct Width {
   Exact_vector normal;
   Rational width;
@@ -131,7 +131,7 @@ Solid_exits exits_by_events(const Object_case& c, const Exact_vector& direction)
       if (s > 0 && meet(as_segment({sum(e.first, shift), sum(e.second, shift)}), as_segment(f))) events.insert(s);
     }
   Solid_exits exits;
-  // The set of shifts at which interiors share a point is open: where it ends, it has the event itself no more.
+  // The set of shifts at which interiors share a point is open, so it does not hold the event at which it ends.
   exits.first = *std::ranges::find_if(events, [&](const Rational& s) { return !share_interior(both, times(s, d)); });
   for (auto last = events.rbegin(); last != events.rend(); ++last) {
     const Rational before = std::next(last) == events.rend() ? Rational(0) : *std::next(last);

@@ -4,13 +4,14 @@
 #include "verify/cases/case.h"
 #include "verify/cases/exact_map.h"
 
-/// How far A must be moved to leave B, along a direction by two formulations, and at all; in rationals.
+/// Two formulations of how far A must be moved along a direction to leave B, and one of how far it must be moved at
+/// least. All are in rationals.
 namespace tetracone::verify {
 
-/// Returns the exits by all events of all pairs: the shifts at which a vertex is on a triangle, or an edge on an edge.
-/// Between them nothing changes. At each event, in order, the pieces of both surfaces tell whether
-/// the interiors share a point. For few faces. Requires planar faces, closed polyhedra, det M != 0 and a direction that
-/// is not 0.
+/// Returns the exits, by all events of all pairs. An event is a shift at which a vertex is on a triangle, or an edge on
+/// an edge; between two of them nothing changes. At each event, in order, the pieces of both surfaces tell whether the
+/// interiors share a point. The time grows fast with the faces. Requires planar faces, closed polyhedra, det M != 0 and
+/// a direction that is not 0.
 Solid_exits exits_by_events(const Object_case& c, const object_family::Exact_vector& direction);
 
 /// Returns the exit of convex solids whose interiors share a point, else 0. It is the least that a normal of a face, or

@@ -35,8 +35,8 @@ bool truly_meet_in_motion(kernel::Moving_kind kind, const std::array<Moving_coor
 /// True when the closed primitives share a point if they rest where they are at `time`.
 bool truly_meet_at(const kernel::Moving_pair& pair, const kernel::Rational& time);
 
-/// True when `bounds` bound the first time of contact: neighbouring doubles, or one, with no contact before them and
-/// one within; or nothing where there is no contact. `meets` is truly_meet_in_motion(pair).
+/// True when `bounds` bound the first time of contact. They are neighbouring doubles, or one, with no contact before
+/// them and one within; nothing where there is no contact. `meets` is truly_meet_in_motion(pair).
 bool truly_first(const kernel::Moving_pair& pair, const std::optional<kernel::Time_bounds>& bounds, bool meets);
 
 }  // namespace tetracone::verify

@@ -13,15 +13,15 @@
 /// judges, nor with the other except the exact poses.
 namespace tetracone::verify {
 
-/// By features: true when `first` is the first contact by the definitions of `question`. It takes the static truth at t
-/// = 0. After that it takes all vertices with all triangles of fans and all edges with all edges, by
-/// `truly_meet_in_motion` of motion_truth.h: no contact before lo, one from lo to hi. Points are placed by products of
-/// quaternions.
+/// True when `first` is the first contact by the definitions of `question`: judged by features. At t = 0 the static
+/// truth is asked. After that all vertices are asked with all triangles of fans, and all edges with all edges, by
+/// `truly_meet_in_motion` of motion_truth.h: there is no contact before lo, and one from lo to hi. Points are placed by
+/// products of quaternions.
 bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question question,
                              const std::optional<kernel::Time_bounds>& first);
 
-/// The first contact itself, by features: `guess` if it is proved right, else found by halving, which takes much
-/// longer.
+/// Returns the first contact, by features. It is `guess` if that is proved right, else it is found by halving, which
+/// takes much longer.
 std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& bodies, kernel::Question question,
                                                       const std::optional<kernel::Time_bounds>& guess = std::nullopt);
 
@@ -33,10 +33,11 @@ bool truly_collide_at_start(const Moving_bodies& bodies, kernel::Question questi
 
 enum class Bracket { holds, violated, undecided };
 
-/// By distances: exact distances of the placed surfaces at rational times and an upper bound of the points' speed prove
-/// that there is no contact until `first`, or until the end. They also prove that the bodies are as near there as the
-/// neighbouring doubles allow. Undecided where more than `most` distances would be needed, and where a linear motion's
-/// image is flat at a time in question. Within `end` of the first contact itself nothing is proved.
+/// Judges `first` by distances. Exact distances of the placed surfaces at rational times, and an upper bound of the
+/// points' speed, prove that there is no contact until `first`, or until the end. They also prove that the bodies are
+/// as near there as the neighbouring doubles allow. Undecided where more than `most` distances would be needed, and
+/// where a linear motion's image is flat at a time in question. Within `end` of the first contact itself nothing is
+/// proved.
 Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question question,
                                  const std::optional<kernel::Time_bounds>& first, int most = 200, double end = 0x1p-20);
 

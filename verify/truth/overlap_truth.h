@@ -5,9 +5,9 @@
 
 namespace tetracone::verify {
 
-/// Returns the relation of two placed solids, the dimension of what their surfaces share, and their overlap: the truth,
-/// in rationals, for all legal bodies. The surfaces are cut along each other and along themselves. The winding numbers
-/// on both sides of each piece then say everything:
+/// Returns the truth, in rationals, for all legal bodies: the relation of two placed solids, the dimension of what
+/// their surfaces share, and their overlap. The surfaces are cut along each other and along themselves. The winding
+/// numbers on both sides of each piece then say everything:
 ///
 /// 1. A region of space between the surfaces is bounded by pieces, which say whether A and B have it. The region that
 ///    goes to infinity belongs to neither.

@@ -29,7 +29,7 @@ class Planar_face {
 
   const std::vector<std::vector<Point_3>>& loops() const { return loops_; }
 
-  /// Three corners that are not on one line; nothing when all corners are on one line.
+  /// Returns three corners that are not on one line; nothing when all corners are on one line.
   const std::optional<std::array<Point_3, 3>>& base() const { return base_; }
 
   /// True when all corners are in one plane.

@@ -7,8 +7,8 @@
 
 namespace tetracone::verify {
 
-/// The position of points relative to one body, by all of its elements in rationals: on one of them, else by signed
-/// crossings of a ray. Not thread-safe.
+/// Tells whether points are inside one body, by all of its elements in rationals. A point is on the surface where an
+/// element holds it. For others the signed crossings of a ray tell. Not thread-safe.
 class Point_truth {
  public:
   /// Requires a closed polyhedron. Throws as `Brute_body`.

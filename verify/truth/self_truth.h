@@ -7,9 +7,9 @@
 
 namespace tetracone::verify {
 
-/// Returns the pieces of `all` that are self-intersections of the body, face_a < face_b: those that no vertex and no
-/// union of edges that both faces have, by coordinates, holds. `all` is a truth's list of contacts of the body with
-/// itself (`with_itself`).
+/// Returns the pieces of `all` that are self-intersections of the body, face_a < face_b. A piece is none where a common
+/// vertex of both faces holds it, or the union of their common edges. Vertices of equal coordinates are one. `all` is a
+/// truth's list of contacts of the body with itself (`with_itself`).
 Contact_forms improper_pieces(const Contact_forms& all, const covering::Polyhedron& body);
 
 /// Returns the body and itself, both unmoved.
