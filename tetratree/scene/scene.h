@@ -3,9 +3,9 @@
 
 #include "tetracone/tetratree/door/tetracone.h"
 
+#include <array>
 #include <chrono>
 #include <compare>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>

@@ -6,8 +6,12 @@
 #include "verify/integer_truth/integer_truth.h"
 #include "verify/truth/overlap_truth.h"
 
+#include <mpfr.h>
+
 #include <array>
+#include <cmath>
 #include <string>
+#include <vector>
 
 namespace tetracone::verify {
 namespace {
@@ -19,9 +23,31 @@ constexpr std::array all_relations = {Solid_relation::disjoint,   Solid_relation
                                       Solid_relation::equal,      Solid_relation::inside, Solid_relation::contains,
                                       Solid_relation::covered_by, Solid_relation::covers};
 
+/// True when the bounds enclose the sum of the roots of these squares, and are equal or neighbours. MPFR adds 500 bits
+/// of each root.
+bool is_root_sum(const std::array<double, 2>& bounds, const std::vector<kernel::Rational>& squares)
+{
+  const auto compared = [&](double bound, mpfr_rnd_t rounding) {
+    mpfr_t sum, root;
+    mpfr_inits2(500, sum, root, mpfr_ptr());
+    mpfr_set_zero(sum, 1);
+    for (const kernel::Rational& square : squares) {
+      mpfr_set_q(root, square.get_mpq_t(), rounding);
+      mpfr_sqrt(root, root, rounding);
+      mpfr_add(sum, sum, root, rounding);
+    }
+    const int sign = mpfr_cmp_d(sum, bound);
+    mpfr_clears(sum, root, mpfr_ptr());
+    return sign;
+  };
+  return compared(bounds[0], MPFR_RNDU) >= 0 && compared(bounds[1], MPFR_RNDD) <= 0 &&
+         (bounds[0] == bounds[1] || std::nextafter(bounds[0], HUGE_VAL) == bounds[1]);
+}
+
 /// An answer says which relation holds, of which dimension the contact is, and how much the solids overlap. The last
 /// are `overlap_statements`: the exact volume and centroid, and the nearest doubles and the bounds of these four
-/// numbers; the value is the number of those that are right. The truth says of each relation whether it is the case's.
+/// numbers; the contact vector and the nearest doubles; the bounds of the contact area. The value is the number of
+/// those that are right. The truth says of each relation whether it is the case's.
 /// Subjects are not asked about bodies of more than `most_faces` faces.
 class Relation_page : public Page<levels::Relations> {
  public:
@@ -32,10 +58,10 @@ class Relation_page : public Page<levels::Relations> {
 
   void learn(const Object_case& c)
   {
-    truth_ = solid_overlap(c);
+    truth_ = solid_overlap(c, shared_);
     away_ = distance(c);
     is_known_ = c.overlap.has_value();
-    if (is_known_ && *c.overlap != truth_)
+    if ((is_known_ && *c.overlap != truth_) || (c.shared && *c.shared != shared_))
       throw Truths_disagree("the truth of a relation disagrees with what the family has counted", c, Question::solid);
     const auto [relation, dimension] = truth_.contact;
     if (integer_truth::collide(c, Question::solid) != (relation != Solid_relation::disjoint) ||
@@ -80,17 +106,21 @@ class Relation_page : public Page<levels::Relations> {
       for (std::size_t k = 0; k < 3; ++k)
         *overlap.value += (told.overlap.centroid[k] == truth_.centroid[k]) +
                           (told.centroid[k] == kernel::nearest_double(truth_.centroid[k])) +
-                          holds(told.bounds.centroid[k], truth_.centroid[k]);
+                          holds(told.bounds.centroid[k], truth_.centroid[k]) +
+                          (told.contact_vector[k] == shared_.vector[k]) +
+                          (told.nearest_contact_vector[k] == kernel::nearest_double(shared_.vector[k]));
+      *overlap.value += is_root_sum(told.contact_area, shared_.squares);
     }
     return {relation, dimension, overlap};
   }
 
  private:
-  static constexpr int overlap_statements = 12;
+  static constexpr int overlap_statements = 19;
   /// Both truths know the volumes of bodies with no more faces than this.
   static constexpr std::size_t few_faces = 12;
 
   Solid_overlap truth_;
+  Shared_area shared_;
   bool is_known_ = false;
   Distance away_{};
 };

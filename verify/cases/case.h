@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tetracone::verify {
 
@@ -67,6 +68,15 @@ struct Solid_overlap {
   friend bool operator==(const Solid_overlap&, const Solid_overlap&) = default;
 };
 
+/// The area that the surfaces of two placed solids share.
+struct Shared_area {
+  /// The sum of area times A's outward unit normal, where A is on one side.
+  std::array<kernel::Rational, 3> vector = {0, 0, 0};
+  std::vector<kernel::Rational> squares;  ///< of the areas, those of parallel planes added up; sorted
+
+  friend bool operator==(const Shared_area&, const Shared_area&) = default;
+};
+
 /// How far A must be moved to leave B, in lengths of a direction: at first, and for good.
 struct Solid_exits {
   kernel::Rational first = 0, last = 0;
@@ -88,6 +98,7 @@ struct Object_case {
   Origin origin;
   std::optional<bool> surface, solid;               ///< the answers, if the family knows them by construction
   std::optional<Solid_overlap> overlap{};           ///< likewise
+  std::optional<Shared_area> shared{};              ///< likewise
   std::optional<Counted_exits> exits{};             ///< likewise
   std::optional<kernel::Rational> squared_depth{};  ///< of the least translation that parts the interiors; likewise
 

@@ -237,6 +237,39 @@ class Strata {
   std::vector<bool> surface_;
 };
 
+/// Two bodies in one grid of half cells, the second moved by `offset` halves of a cell.
+struct Two_bodies {
+  Two_bodies(const Bricks& a_, const Bricks& b_, const Cell& offset)
+      : low(end(a_, b_, offset, -1)),
+        high(end(a_, b_, offset, 1)),
+        a(a_, {0, 0, 0}, low, high),
+        b(b_, offset, low, high)
+  {}
+
+  /// Calls what(stratum, its dimension) for all strata about which there are cells.
+  template <class What>
+  void for_strata(const What& what) const
+  {
+    for (int x = low + 1; x < high; ++x)
+      for (int y = low + 1; y < high; ++y)
+        for (int z = low + 1; z < high; ++z) what(Cell{x, y, z}, std::abs(x % 2) + std::abs(y % 2) + std::abs(z % 2));
+  }
+
+  int low, high;
+  Strata a, b;
+
+ private:
+  static int end(const Bricks& a, const Bricks& b, const Cell& offset, int sign)
+  {
+    int end = INT_MIN;
+    for (const auto& [bricks, off] : {std::pair{&a, Cell{0, 0, 0}}, {&b, offset}})
+      for (const Shell& shell : *bricks)
+        for (const Cell& cell : shell.cells)
+          for (int i = 0; i < 3; ++i) end = std::max(end, sign * (4 * cell[i] + 2 * off[i] + 2) + 4);
+    return sign * end;
+  }
+};
+
 }  // namespace
 
 Cells block(const Cell& low, const Cell& high)
@@ -257,41 +290,29 @@ covering::Polyhedron solid(const Bricks& bricks, const Division& division, Rando
 
 Solid_overlap overlap(const Bricks& a, const Bricks& b, const Cell& offset)
 {
-  int low = INT_MAX, high = INT_MIN;
-  for (const auto& [bricks, off] : {std::pair{&a, Cell{0, 0, 0}}, {&b, offset}})
-    for (const Shell& shell : *bricks)
-      for (const Cell& cell : shell.cells)
-        for (int i = 0; i < 3; ++i) {
-          low = std::min(low, 4 * cell[i] + 2 * off[i] - 2);
-          high = std::max(high, 4 * cell[i] + 2 * off[i] + 6);
-        }
-  const Strata of_a(a, {0, 0, 0}, low, high), of_b(b, offset, low, high);
-
+  const Two_bodies bodies(a, b, offset);
+  const Strata &of_a = bodies.a, &of_b = bodies.b;
   Solid_overlap result;
   bool meet = false, interiors_meet = false;
   bool a_in_b = true, b_in_a = true, a_in_interior = true, b_in_interior = true;
   std::array<long, 3> sum = {0, 0, 0};
   long count = 0;
   result.contact = {Solid_relation::disjoint, -1};
-  for (int x = low + 1; x < high; ++x)
-    for (int y = low + 1; y < high; ++y)
-      for (int z = low + 1; z < high; ++z) {
-        const Cell s = {x, y, z};
-        const int dimension = std::abs(x % 2) + std::abs(y % 2) + std::abs(z % 2);
-        const bool in_a = of_a.in_solid(s), in_b = of_b.in_solid(s);
-        const bool deep_a = of_a.in_interior(s), deep_b = of_b.in_interior(s);
-        meet = meet || (in_a && in_b);
-        interiors_meet = interiors_meet || (deep_a && deep_b);
-        a_in_b = a_in_b && (!in_a || in_b);
-        b_in_a = b_in_a && (!in_b || in_a);
-        a_in_interior = a_in_interior && (!in_a || deep_b);
-        b_in_interior = b_in_interior && (!in_b || deep_a);
-        if (of_a.on_surface(s) && of_b.on_surface(s))
-          result.contact.dimension = std::max(result.contact.dimension, dimension);
-        if (dimension < 3 || !deep_a || !deep_b) continue;
-        ++count;
-        for (int i = 0; i < 3; ++i) sum[i] += s[i];
-      }
+  bodies.for_strata([&](const Cell& s, int dimension) {
+    const bool in_a = of_a.in_solid(s), in_b = of_b.in_solid(s);
+    const bool deep_a = of_a.in_interior(s), deep_b = of_b.in_interior(s);
+    meet = meet || (in_a && in_b);
+    interiors_meet = interiors_meet || (deep_a && deep_b);
+    a_in_b = a_in_b && (!in_a || in_b);
+    b_in_a = b_in_a && (!in_b || in_a);
+    a_in_interior = a_in_interior && (!in_a || deep_b);
+    b_in_interior = b_in_interior && (!in_b || deep_a);
+    if (of_a.on_surface(s) && of_b.on_surface(s))
+      result.contact.dimension = std::max(result.contact.dimension, dimension);
+    if (dimension < 3 || !deep_a || !deep_b) return;
+    ++count;
+    for (int i = 0; i < 3; ++i) sum[i] += s[i];
+  });
   Solid_relation& relation = result.contact.relation;
   if (!meet)
     relation = Solid_relation::disjoint;
@@ -308,6 +329,22 @@ Solid_overlap overlap(const Bricks& a, const Bricks& b, const Cell& offset)
   if (count > 0)
     for (int i = 0; i < 3; ++i) result.centroid[i] = Rational(sum[i]) / Rational(4 * count);
   return result;
+}
+
+Shared_squares shared_squares(const Bricks& a, const Bricks& b, const Cell& offset)
+{
+  const Two_bodies bodies(a, b, offset);
+  Shared_squares shared;
+  bodies.for_strata([&](const Cell& s, int dimension) {
+    if (dimension != 2 || !bodies.a.on_surface(s) || !bodies.b.on_surface(s)) return;
+    const std::size_t axis = s[0] % 2 == 0 ? 0 : s[1] % 2 == 0 ? 1 : 2;
+    Cell below = s, above = s;
+    --below[axis];
+    ++above[axis];
+    ++shared.count[axis];
+    shared.outward[axis] += int(bodies.a.in_interior(below)) - int(bodies.a.in_interior(above));
+  });
+  return shared;
 }
 
 namespace {

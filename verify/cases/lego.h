@@ -43,6 +43,15 @@ covering::Polyhedron solid(const Bricks& bricks, const Division& division, Rando
 /// cells, squares, edges and corners of the grid of half cells.
 Solid_overlap overlap(const Bricks& a, const Bricks& b, const Cell& offset);
 
+/// The squares of half cells that two surfaces share, by the axis across them.
+struct Shared_squares {
+  std::array<long, 3> count{};    ///< all of them
+  std::array<long, 3> outward{};  ///< those that A is below, less those that A is above
+};
+
+/// Counts the squares that A's surface shares with that of B, which is moved by `offset` halves of a cell.
+Shared_squares shared_squares(const Bricks& a, const Bricks& b, const Cell& offset);
+
 /// Returns how far A must be moved along an axis, in whole cells, for its interior to leave that of B. B is moved by
 /// `offset` halves of a cell. `sign` is 1 or -1: along the axis, or against it.
 Solid_exits exits(const Bricks& a, const Bricks& b, const Cell& offset, int axis, int sign);

@@ -172,18 +172,29 @@ Object_case lego_bricks(Random& random, double parameter)
   Solid_overlap overlap = lego::overlap(pair.a, pair.b, pair.offset);
   c.surface = overlap.contact.dimension >= 0;
   c.solid = overlap.contact.relation != kernel::Solid_relation::disjoint;
+  const auto column = [&](int k) { return turned(frame, {k == 0, k == 1, k == 2}); };
+  const Rational determinant = dot(column(0), cross(column(1), column(2)));
   if (overlap.volume > 0) {
-    const auto column = [&](int k) { return turned(frame, {k == 0, k == 1, k == 2}); };
-    overlap.volume *= Rational(abs(dot(column(0), cross(column(1), column(2)))));
+    overlap.volume *= Rational(abs(determinant));
     overlap.centroid = image(frame, overlap.centroid);
   }
   c.overlap = overlap;
+
+  // The area of a square of half cells is a quarter. A frame that mirrors turns its vector's image around.
+  const lego::Shared_squares squares = lego::shared_squares(pair.a, pair.b, pair.offset);
+  c.shared.emplace();
+  for (int k = 0; k < 3; ++k) {
+    const Exact_vector area = cross(column((k + 1) % 3), column((k + 2) % 3));
+    c.shared->vector = sum(c.shared->vector, times(Rational(sgn(determinant) * squares.outward[k]) / 4, area));
+    if (squares.count[k] > 0)
+      c.shared->squares.push_back(Rational(squares.count[k] * squares.count[k]) / 16 * dot(area, area));
+  }
+  std::ranges::sort(c.shared->squares);
 
   const int axis = int(random.bits() % 3), sign = random.bits() % 2 == 0 ? 1 : -1;
   Exact_vector direction = {0, 0, 0};
   direction[axis] = sign;
   c.exits = {turned(frame, direction), lego::exits(pair.a, pair.b, pair.offset, axis, sign)};
-  const auto column = [&](int k) { return turned(frame, {k == 0, k == 1, k == 2}); };
   const Rational square = dot(column(0), column(0));
   bool is_similarity = true;
   for (int k = 0; k < 3; ++k)

@@ -100,9 +100,15 @@ class Own : public Running_subject {
                           pair_->query(solid)->solid_relation_alone(c.pose_a, c.pose_b),
                           overlap.volume,
                           overlap.centroid,
-                          pair_->query(solid)->overlap_bounds(c.pose_a, c.pose_b)};
-      const auto exact_centroid = overlap.exact_centroid();
-      for (std::size_t k = 0; k < 3; ++k) answer.overlap.centroid[k] = kernel::Rational(exact_centroid[k]);
+                          pair_->query(solid)->overlap_bounds(c.pose_a, c.pose_b),
+                          {},
+                          overlap.contact_vector,
+                          overlap.contact_area};
+      const auto exact_centroid = overlap.exact_centroid(), exact_vector = overlap.exact_contact_vector();
+      for (std::size_t k = 0; k < 3; ++k) {
+        answer.overlap.centroid[k] = kernel::Rational(exact_centroid[k]);
+        answer.contact_vector[k] = kernel::Rational(exact_vector[k]);
+      }
       return answer;
     };
     return tell(c, solid, most_faces, answer, contact);

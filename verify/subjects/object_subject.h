@@ -42,6 +42,9 @@ struct Solid_answer {
   double volume = 0;               ///< that of the overlap, rounded
   std::array<double, 3> centroid{};
   Overlap_bounds bounds;
+  std::array<kernel::Rational, 3> contact_vector{};  ///< of the area that the surfaces share
+  std::array<double, 3> nearest_contact_vector{};    ///< the same, rounded
+  std::array<double, 2> contact_area{};              ///< bounds of that area
 };
 
 /// The exits of a solid along a direction, and the nearest doubles.

@@ -87,6 +87,30 @@ class Two_solids {
     overlap.volume /= scale_ * scale_ * scale_;
   }
 
+  // The area of the pieces of A that lie on B. A piece's corners run counterclockwise, seen from above.
+  Shared_area shared_area() const
+  {
+    const Rational unit = Rational(1, scale_ * scale_) / 2;
+    Shared_area shared;
+    std::vector<Exact_vector> areas;  // by direction: the sum of parallel ones
+    for (const Surface_piece& piece : pieces_) {
+      if (piece.body != 0 || !piece.is_on[1] || !piece.is_first) continue;
+      const auto& [p, q, r, s] = piece.corner;
+      const Exact_vector area = times(unit, cross(difference(r, p), difference(s, q)));
+      if (is_zero(area)) continue;
+      const auto& [below, above] = piece.winding[0];
+      shared.vector = sum(shared.vector, times(Rational(int(below != 0) - int(above != 0)), area));
+      const auto same = std::ranges::find_if(areas, [&](const auto& other) { return is_zero(cross(other, area)); });
+      if (same == areas.end())
+        areas.push_back(area);
+      else
+        *same = sum(*same, times(Rational(sgn(dot(*same, area))), area));
+    }
+    for (const Exact_vector& area : areas) shared.squares.push_back(dot(area, area));
+    std::ranges::sort(shared.squares);
+    return shared;
+  }
+
  private:
   static bool is_common(const Surface_piece& piece, int side)
   {
@@ -145,6 +169,12 @@ Solid_relation relation(const Two_solids& solids, bool surfaces_meet)
 
 Solid_overlap solid_overlap(const Object_case& c)
 {
+  Shared_area shared;
+  return solid_overlap(c, shared);
+}
+
+Solid_overlap solid_overlap(const Object_case& c, Shared_area& shared)
+{
   const Brute_body body_a(*c.a), body_b(*c.b);
   const Placed_body a(body_a, c.pose_a), b(body_b, c.pose_b);
   detail::require_closed(a, b);
@@ -153,6 +183,7 @@ Solid_overlap solid_overlap(const Object_case& c)
   overlap.contact.dimension = dimension(contacts(c));
   overlap.contact.relation = relation(solids, overlap.contact.dimension >= 0);
   solids.set_overlap(overlap);
+  shared = solids.shared_area();
   return overlap;
 }
 

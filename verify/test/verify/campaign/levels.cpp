@@ -268,6 +268,8 @@ BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted
        spoiled_solids("dimension", [](Solid_answer& a) { --a.overlap.contact.dimension; }),
        spoiled_solids("volume", [](Solid_answer& a) { a.overlap.volume += 1; }),
        spoiled_solids("bounds", [](Solid_answer& a) { a.bounds.volume[1] = -1; }),
+       spoiled_solids("vector", [](Solid_answer& a) { a.contact_vector[1] += 1; }),
+       spoiled_solids("area", [](Solid_answer& a) { a.contact_area[0] = a.contact_area[1] + 1; }),
        spoiled_solids("doubles", [](Solid_answer& a) { a.centroid[2] = std::nextafter(a.centroid[2], HUGE_VAL); }),
        {"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }}});
   const std::int64_t asked = rows.ask(4);
@@ -284,7 +286,7 @@ BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted
   BOOST_TEST(rows.sum("false_negatives", "alone", "relation") == asked);
   BOOST_TEST(rows.sum("false_negatives", "dimension", "dimension") == asked);
   BOOST_TEST(rows.sum("false_negatives", "volume", "overlap") == asked);
-  for (const char* subject : {"bounds", "doubles"})
+  for (const char* subject : {"bounds", "doubles", "vector", "area"})
     BOOST_TEST(rows.sum("false_negatives", subject, "overlap") == asked);
   for (const char* question : {"relation", "overlap"}) BOOST_TEST(rows.sum(wrong, "dimension", question) == 0);
   BOOST_TEST(rows.sum("not_asked", "nothing") == 3 * asked);
