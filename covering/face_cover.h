@@ -34,9 +34,9 @@ namespace tetracone::covering {
 /// - (5) two triangles of opposite directions have no area in common.
 ///
 /// Proof. Directed edges add up to the winding number about any point off them, and opposite edges add up to 0. So by
-/// (3) the loops wind about a point off all edges as the triangles do: plus one for each triangle of one direction that
-/// holds the point, minus one for each of the other. By (5) only triangles of one direction hold it. Hence the number
-/// is 0 exactly where no triangle holds the point.
+/// (3) the loops wind about a point off all edges as the triangles do. Their number is that of the triangles of one
+/// direction that hold the point, less that of the other direction. By (5) only triangles of one direction hold it.
+/// Hence the number is 0 exactly where no triangle holds the point.
 ///
 /// The triangles add no point. By (2) each of their points is a limit of inner ones, about which the loops wind. Off
 /// the loops, the winding number is constant nearby; so the loops wind about the point, or pass through it.

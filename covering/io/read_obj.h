@@ -50,7 +50,7 @@ class Obj_statements {
 
   /// Goes to the next statement; false at the end. A line that ends in a backslash goes on in the next. A name may end
   /// in one, too (`g C:\parts\`). So a vertex or a face in the next line is a statement of its own, unless the line
-  /// before is a vertex or a face.
+  /// before is such.
   bool next()
   {
     words_.clear();

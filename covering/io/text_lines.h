@@ -49,8 +49,8 @@ inline std::string read_bytes(const std::filesystem::path& file)
   return bytes;
 }
 
-/// Returns a text as all readers here take it: without a UTF-8 byte order mark, and with line feeds where carriage
-/// returns alone end its lines. Throws Input_error for UTF-16.
+/// Returns a text as all readers here take it. It has no UTF-8 byte order mark, and line feeds where carriage returns
+/// alone end its lines. Throws Input_error for UTF-16.
 inline std::string as_text(const std::string& file, std::string bytes)
 {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))

@@ -37,9 +37,9 @@ std::vector<Triangle> fan(const Polyhedron& polyhedron, Index f);
 }  // namespace repair
 
 /// Returns triangles that cover exactly each face of more than three corners, without new vertices. They have the
-/// face's direction, and cover it as often as its winding number says. Triangles get none, and neither do faces for
-/// which it is not possible: where loops cross, pass through a corner, or have an edge that bounds nothing. Requires
-/// planar faces.
+/// face's direction, and cover it as often as its winding number says. Triangles get none. Neither do faces for which
+/// it is not possible: where loops cross, pass through a corner, or have an edge that bounds nothing. Requires planar
+/// faces.
 std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron);
 
 /// A polyhedron whose faces are all planar, and where they come from.

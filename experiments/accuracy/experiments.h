@@ -9,9 +9,10 @@ namespace tetracone::experiments {
 /// cannot be written.
 
 /// Measures the effect of compiler flags on signs. It compiles compiler_probe.cpp with g++ and clang++, where they are
-/// installed, at -O0, -O2 and -O3, with and without contraction of products and sums, -march=native and -ffast-math. It
-/// runs each program and writes OUT/compilers.csv: one row for each compiler, flags, subject and test. A compiler that
-/// refuses, or a program that crashes, is a row of its own. Throws std::runtime_error without a compiler.
+/// installed. The flags are -O0, -O2 and -O3, with and without contraction of products and sums, -march=native and
+/// -ffast-math. It runs each program and writes OUT/compilers.csv: one row for each compiler, flags, subject and test.
+/// A compiler that refuses, or a program that crashes, is a row of its own. Throws std::runtime_error without a
+/// compiler.
 void run_compilers(const Experiment_options& options);
 
 /// Writes cases of all families with their truth, for other libraries. OUT/dataset/ holds cases and predicates, as
@@ -22,9 +23,9 @@ void run_compilers(const Experiment_options& options);
 /// and level.
 void export_dataset(const Experiment_options& options);
 
-/// Lists every constant of an error bound with its value in the code, the value that is proved to be enough, and the
-/// worst error that hill climbing finds, or why no search exists. Writes OUT/error_bounds.csv, one row per constant.
-/// Throws std::runtime_error without Gappa.
+/// Lists every constant of an error bound. Each has its value in the code and the value that is proved to be enough. It
+/// also has the worst error that hill climbing finds, or the reason why no search exists. Writes OUT/error_bounds.csv,
+/// one row per constant. Throws std::runtime_error without Gappa.
 void run_error_bounds(const Experiment_options& options);
 
 /// Measures how often each method of deciding whether moving primitives meet is wrong, and how long it takes. It asks
@@ -34,20 +35,20 @@ void run_error_bounds(const Experiment_options& options);
 /// OUT/motion_relations.csv: how often each metamorphic relation held. Throws covering::Input_error for bad queries.
 void run_motion(const Experiment_options& options);
 
-/// Maps the answers of each arithmetic at size x size neighbouring doubles about a degenerate position, in the manner
-/// of Kettner, Mehlhorn, Pion, Schirra and Yap (2008, Fig. 2), for predicates in 3D. These are the sign of a
-/// barycentric coordinate, segment against triangle, the classification in a cone, and the collision of two bodies. A
-/// point near (1/2, 1/2, 1/2) moves by one double per column in x and one per row in y; everything is under one exact
-/// rotation, which rounding kernels must round. Writes OUT/sign_maps.csv, one row for each map, subject and row of the
-/// grid: -, 0 or + per dot. Throws std::logic_error when the exact picture differs from the truth, which is checked in
-/// every 16th row and column. Requires size >= 1.
+/// Maps the answers of each arithmetic at size x size neighbouring doubles about a degenerate position. It follows
+/// Kettner, Mehlhorn, Pion, Schirra and Yap (2008, Fig. 2), for predicates in 3D. These are the sign of a barycentric
+/// coordinate, segment against triangle, the classification in a cone, and the collision of two bodies. A point near
+/// (1/2, 1/2, 1/2) moves by one double per column in x and one per row in y. Everything is under one exact rotation,
+/// which rounding kernels must round. Writes OUT/sign_maps.csv, one row for each map, subject and row of the grid: -, 0
+/// or + per dot. Throws std::logic_error when the exact picture differs from the truth, which is checked in every 16th
+/// row and column. Requires size >= 1.
 void run_sign_maps(const Experiment_options& options);
 
 /// Measures the smallest change that matters. A body moves straight at another, everything under one exact rotation,
 /// and the exact answer changes between two neighbouring doubles of its path. It counts how many doubles away each
-/// kernel's own answer changes. Writes OUT/stability.csv, one row for each motion, path and subject: the exact
-/// threshold (the last double without contact), and the distance of the subject's threshold, in doubles and in ulps of
-/// the exact one. Throws std::logic_error when the truth by brute force denies an exact threshold.
+/// kernel's own answer changes. Writes OUT/stability.csv, one row for each motion, path and subject. It has the exact
+/// threshold (the last double without contact). It also has the distance of the subject's threshold, in doubles and in
+/// ulps of the exact one. Throws std::logic_error when the truth by brute force denies an exact threshold.
 void run_stability(const Experiment_options& options);
 
 }  // namespace tetracone::experiments

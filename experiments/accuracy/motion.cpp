@@ -65,8 +65,8 @@ std::vector<Judged> published(const std::filesystem::path& folder)
   return all;
 }
 
-/// Returns the answers of a subject and its microseconds of processor time per pair: the fastest of several passes, or
-/// of one pass where a pass takes long.
+/// Returns the answers of a subject and its microseconds of processor time per pair. The time is that of the fastest of
+/// several passes, or of one pass where a pass takes long.
 std::pair<std::vector<bool>, double> timed_answers(const Motion_subject& subject, const std::vector<Moving_pair>& pairs)
 {
   std::vector<bool> answers(pairs.size());

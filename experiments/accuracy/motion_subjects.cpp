@@ -116,8 +116,8 @@ struct Part {
   std::array<double, 3> lo, hi;
 };
 
-/// The difference of the primitives' points at (t, u, v): of the vertex and the face's p1 + u (p2 - p1) + v (p3 - p1),
-/// or of those at u and v of the edges.
+/// The difference of the primitives' points at (t, u, v). They are the vertex and the point of the face
+/// p1 + u (p2 - p1) + v (p3 - p1), or the points at u and v of the edges.
 std::array<double, 3> image(const Moving_pair& pair, double t, double u, double v)
 {
   const auto p = points_at(pair, t);

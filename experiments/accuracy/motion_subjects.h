@@ -18,12 +18,12 @@ struct Motion_subject {
 ///  - double, float: the roots of the volume in [0, 1], then barycentric coordinates at each, as Provot (1997)
 ///    proposed;
 ///  - tolerance: as double, with a slack of 1e-6 in coordinates and distance, and with the ends and extrema of the
-///    volume tested too (Bridson, Fedkiw, Anderson, "Robust Treatment of Collisions", 2002);
+///    volume tested too. Bridson, Fedkiw, Anderson, "Robust Treatment of Collisions", 2002;
 ///  - root-parity: Brochu, Edwards, Bridson, "Efficient Geometrically Exact Continuous Collision Detection", 2012: the
 ///    parity of a ray's crossings with the boundary of the image of the domain. It computes in rationals throughout,
 ///    where the published method filters: it has that method's answers, not its speed;
 ///  - inclusion: Wang et al., "A Large Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision
-///    Detection", 2021: bisection of the domain, with boxes of the image grown by rounding. A box of at most 1e-6 about
+///    Detection", 2021. It bisects the domain, with boxes of the image grown by rounding. A box of at most 1e-6 about
 ///    the origin is a contact, and so is a pair that 2^15 boxes have not decided.
 std::span<const Motion_subject> motion_subjects();
 

@@ -22,8 +22,8 @@ void require_other_file(const std::string& certificate, const std::string& csv);
 /// Writes the certificate. A line on stderr says how many answers have no proof, if some have none.
 void write_certificate(const std::string& file, const Certificate& certificate);
 
-/// Returns an empty certificate about the model, or about both. A model that stands as in its file, of a format that
-/// experiments/certificates/check.py reads, is named by its hash; another one is written into the certificate.
+/// Returns an empty certificate about the model, or about both. A model is named by its hash where it stands as in its
+/// file, of a format that experiments/certificates/check.py reads. Another one is written into the certificate.
 Certificate certificate_of(const Model_file& model);
 Certificate certificate_of(const Model_file& a, const Model_file& b);
 

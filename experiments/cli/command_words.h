@@ -32,8 +32,9 @@ CLI::Option* add_default(CLI::App& command, const std::string& name, Value& valu
   return command.add_option(name, value, text)->capture_default_str();
 }
 
-/// Returns the options on which results depend, as a command line that repeats them: the given ones, and those with a
-/// default value that `--help` shows. Requires a parsed command; `options` name some of its options, such as `--seed`.
+/// Returns the options on which results depend, as a command line that repeats them. These are the given ones, and
+/// those with a default value that `--help` shows. Requires a parsed command; `options` name some of its options, such
+/// as `--seed`.
 inline std::string words_of(const CLI::App& command, const std::vector<std::string>& options)
 {
   std::string words;

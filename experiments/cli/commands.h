@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 
 /// The commands of the program, each defined in NAME_command.cpp. A command throws covering::Input_error for bad input
-/// and for a file that cannot be written, and CLI::ValidationError for words that it does not know or that exclude each
-/// other.
+/// and for a file that cannot be written. It throws CLI::ValidationError for words that it does not know or that
+/// exclude each other.
 namespace tetracone::experiments {
 
 /// `check MODEL...` describes each model. Throws CLI::RuntimeError(1) when one is no closed polyhedron, and with

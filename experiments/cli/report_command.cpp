@@ -34,8 +34,8 @@ struct Report_options {
   bool progress = false;
 };
 
-/// Returns the notes on subjects that are not ours: the only question that a subject knows, if it does not know both,
-/// and in words its question, its numbers and its source.
+/// Returns the notes on subjects that are not ours. A note is the only question that a subject knows, if it does not
+/// know both. In words it says the subject's question, its numbers and its source.
 std::string notes_as_csv(verify::Database& database)
 {
   std::string csv = "level,subject,knows,note\n";

@@ -35,8 +35,8 @@ bool is_program(const std::filesystem::path& path)
          scripts.contains(path.extension().native());
 }
 
-/// Returns the SHA-256 of the programs and scripts that the words of a command name, so that an edited one is noticed;
-/// quotes are no part of a name.
+/// Returns the SHA-256 of the programs and scripts that the words of a command name, so that an edited one is noticed.
+/// Quotes are no part of a name.
 std::string digest_of_files(const std::string& command)
 {
   constexpr std::uintmax_t largest = 64 << 20;  // no script or subject is larger

@@ -23,8 +23,8 @@ struct Subject_options {
 void add_subject_options(CLI::App& command, Subject_options& options);
 
 /// Returns the subjects of `--subject-command`; each has already answered one question. Throws CLI::ValidationError for
-/// an invalid name, for one that is given twice or is the beginning of one of `others`, and for a command that the
-/// shell cannot run.
+/// an invalid name, and for one that is given twice or is the beginning of one of `others`. It also throws it for a
+/// command that the shell cannot run.
 std::vector<verify::Object_subject> command_subjects(const Subject_options& options,
                                                      const std::vector<verify::Object_subject>& others);
 

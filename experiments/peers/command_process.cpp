@@ -23,9 +23,9 @@ constexpr std::size_t longest_line = 65536;
 
 void on_child(int) {}
 
-/// The process between our program and the child: kills the child's process group when the child ends, or when
-/// the program does, whatever kills it: then nobody reads the pipe that is the guard's standard output. Between fork
-/// and here other threads may have held any lock: async-signal-safe calls alone.
+/// The process between our program and the child. It kills the child's process group when the child ends, or when the
+/// program does, whatever kills it. It notices the program's end by the pipe that is its standard output: nobody reads
+/// it then. Between fork and here other threads may have held any lock: async-signal-safe calls alone.
 [[noreturn]] void guard(char* const* words)
 {
   ::setpgid(0, 0);  // Ctrl-C is the program's

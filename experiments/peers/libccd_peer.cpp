@@ -10,8 +10,9 @@ namespace {
 
 using kernel::Adaptive;
 
-/// True when the mesh bounds the convex hull of its vertices: it closes, and every face has all vertices on its plane
-/// or on one side, the same for every face. (Then each face is on the hull's boundary, and nothing cancels.) Exact.
+/// True when the mesh bounds the convex hull of its vertices. It closes then, and every face has all vertices on its
+/// plane or on one side, which is the same for every face. (Then each face is on the hull's boundary, and nothing
+/// cancels.) Exact.
 bool is_convex(const Peer_mesh& mesh)
 {
   if (!covering::repair::boundary_of(mesh.triangles).empty()) return false;

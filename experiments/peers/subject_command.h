@@ -15,7 +15,7 @@ constexpr std::chrono::seconds longest_start{30};
 
 /// An external method as a subject: `command`, a shell command that follows the subject protocol
 /// (experiments/subjects/README.md). It is started for each running subject at the first question. An end, a wrong
-/// line, or no line within `limit` of a question, including the announcing of its bodies, is `Outcome::failed`, and the
+/// line, or no line within `limit` of a question, including the announcing of its bodies, is `Outcome::failed`. The
 /// next question restarts it. A declined question is `Outcome::not_asked`. It is asked what its hello takes; without a
 /// hello, any pose and any polyhedron. After three time-outs in a size class, if it answered fewer questions there, it
 /// is asked nothing of that size or larger. A size class has twice the faces of the one before.

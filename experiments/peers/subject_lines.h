@@ -43,7 +43,7 @@ std::optional<std::string> next_object(Command_process& process, Command_process
                                        std::uint64_t& skipped);
 
 /// Returns the quaternion (w, x, y, z) and the translation of a pose whose matrix is a rotation to 1e-12, each rounded
-/// to double; nothing for another pose.
+/// to double. Returns nothing for another pose.
 std::optional<std::array<double, 7>> rigid_motion(const kernel::Pose& pose);
 
 /// Returns a line to the subject, including its end. A body that cannot be triangulated has no triangles.

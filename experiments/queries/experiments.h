@@ -32,9 +32,10 @@ void run_moving_bodies(const Experiment_options& options);
 /// Measures the cost of exits and depths of a star-shaped body that overlaps itself turned, beside the first contact of
 /// the reversed translation. The bodies have 200 and 1000 triangles and, with `full`, 7172. A hundredth or a third of
 /// their size is left to go in a random direction, in `race_frames` / 50 places each. Depths are bracketed to 1e-9 and
-/// to 1e-3. Writes out/penetration.csv, one row per body, overlap and question; out/penetration_widths.csv, how narrow
-/// a bracket is after more and more boxes of translations; and out/penetration_peers.csv, how far off other libraries
-/// are on convex pairs.
+/// to 1e-3. Writes three tables:
+/// - out/penetration.csv: one row per body, overlap and question;
+/// - out/penetration_widths.csv: how narrow a bracket is after more and more boxes of translations;
+/// - out/penetration_peers.csv: how far off other libraries are on convex pairs.
 void run_penetration(const Experiment_options& options);
 
 /// Measures the cost of locating a point in a solid, and of the first hit of a ray. The methods are the table over
@@ -47,8 +48,8 @@ void run_points(const Experiment_options& options);
 
 /// Measures the relation and the overlap of boxes and of bodies of 7172 triangles that collide, against `collide` and
 /// `contacts`. It also measures signed distances of 20000 points, random and near the surface, against CGAL's nearest
-/// points without a sign, and self-intersections against CGAL's, of 70000 triangles or, with `full`, a million.
-/// `race_frames` counts the poses of each course. Writes out/measures.csv, one row per question and way, and
+/// points without a sign. Self-intersections are measured against CGAL's, of 70000 triangles or, with `full`, a
+/// million. `race_frames` counts the poses of each course. Writes out/measures.csv, one row per question and way, and
 /// out/touching.csv, what each peer says of boxes that touch or overlap.
 void run_measures(const Experiment_options& options);
 

@@ -83,7 +83,7 @@ struct Clocked {
   std::vector<long> answers;
 };
 
-/// Asks all contestants in turn, pass by pass, and keeps the best pass of each: in the first one, memory is taken that
+/// Asks all contestants in turn, pass by pass, and keeps the best pass of each. In the first one, memory is taken that
 /// the process does not have yet. Where `clocked` is not empty, an earlier race has made the contestants ready.
 void race(const Task& task, const std::vector<Contestant>& contestants, std::vector<Clocked>& clocked, Csv_table& table)
 {

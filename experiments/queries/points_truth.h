@@ -26,8 +26,8 @@ using Cgal_mesh = CGAL::Surface_mesh<Exact_predicates::Point_3>;
 using Cgal_tree =
     CGAL::AABB_tree<CGAL::AABB_traits<Exact_predicates, CGAL::AABB_face_graph_triangle_primitive<Cgal_mesh>>>;
 
-/// Returns points at random in a box a tenth larger than the body; or within 1e-3 of a random point of a random
-/// triangle, 1 being half of the body's largest extent.
+/// Returns points at random in a box a tenth larger than the body. With `near_surface`, each is within 1e-3 of a random
+/// point of a random triangle, where 1 is half of the body's largest extent.
 inline std::vector<std::array<double, 3>> points_of(const covering::Polyhedron& body, bool near_surface, int count,
                                                     verify::Random& random)
 {
@@ -57,8 +57,8 @@ inline std::vector<std::array<double, 3>> points_of(const covering::Polyhedron& 
 }
 
 /// The truth for points and meshes of many triangles. It sums the signed crossings of the upward ray by CGAL's exact
-/// predicates, with the triangles that a grid over x and y finds above and below. Degenerate cases are decided in
-/// rationals, by all pairs whose boxes meet.
+/// predicates. A grid over x and y finds the triangles above and below. Degenerate cases are decided in rationals, by
+/// all pairs whose boxes meet.
 class Column_truth {
  public:
   using Point = std::array<double, 3>;

@@ -22,8 +22,8 @@ using kernel::Pose;
 using Tree = tetratree::Tetra_tree<kernel::Adaptive>;
 using Json = nlohmann::ordered_json;
 
-/// The image of the model by a point, 0.8 radii from V0 towards the vertex that is farthest from it: both reach beyond
-/// it, and neither hull holds the other's V0.
+/// The image of the model by a point, 0.8 radii from V0 towards the vertex that is farthest from it. Both reach beyond
+/// the point, and neither hull holds the other's V0.
 Pose facing(const Tree& tree)
 {
   const auto& origin = tree.origin();

@@ -27,10 +27,10 @@ void run_coherence(const Experiment_options& options);
 void run_demand(const Experiment_options& options);
 
 /// Measures how fast the colliding pairs of many bodies are found, frame after frame. The methods are `Scene` on one
-/// thread and on two, our queries on the pairs of CGAL's box intersection, and the scenes of FCL, Bullet and ODE, on
-/// the same poses in one run. Each answer is compared with the truth in rationals: on all frames for a thousand bodies,
-/// on the last frame for more. Writes out/scenes.csv, one row per scene and method. `full` adds 10^5 bodies, and bodies
-/// of 7000 triangles.
+/// thread and on two, our queries on the pairs of CGAL's box intersection, and the scenes of three libraries. These are
+/// FCL, Bullet and ODE. All are asked on the same poses in one run. Each answer is compared with the truth in
+/// rationals: on all frames for a thousand bodies, on the last frame for more. Writes out/scenes.csv, one row per scene
+/// and method. `full` adds 10^5 bodies, and bodies of 7000 triangles.
 void run_scenes(const Experiment_options& options);
 
 }  // namespace tetracone::experiments

@@ -58,8 +58,8 @@ Vertex turn_exactly(const Vertex& v)
 /// A multiple of 2^-10 in [-1, 1).
 double dyadic(Random& random) { return std::floor(1024 * random.symmetric()) / 1024; }
 
-/// The turned body, whose faces are parallel to no axis, and a copy on top of it, `height` up and shifted sideways by
-/// up to `range`; with `lift`, one ulp more in a coordinate. All numbers are exact.
+/// The turned body, whose faces are parallel to no axis, and a copy on top of it. The copy is `height` up and shifted
+/// sideways by up to `range`. With `lift`, it is one ulp more in a coordinate. All numbers are exact.
 Race_course slid(const std::string& scenario, const std::string& object, Polyhedron body, double range, double height,
                  bool lift, int frames, std::uint64_t seed)
 {

@@ -8,17 +8,17 @@ namespace tetracone::experiments {
 /// The experiments of speed. Each writes its rows to `out` in parts, except `threads`: stopped and started again, it
 /// continues. Each throws covering::Input_error when the models do not exist or `out` cannot be written.
 
-/// Measures the cost of each choice of JS08: the paper's tree in double with one choice changed at a time, and in steps
-/// from the paper's listing to the fast tree. The objects are star-shaped ones of 760 triangles and others of 7172,
-/// with FCL in the same run. Writes out/ablation.csv, out/ablation.svg and .pdf, and prints the table of steps. `full`:
-/// all poses on the large objects.
+/// Measures the cost of each choice of JS08. The paper's tree is asked in double with one choice changed at a time, and
+/// in steps from the paper's listing to the fast tree. The objects are star-shaped ones of 760 triangles and others of
+/// 7172, with FCL in the same run. Writes out/ablation.csv, out/ablation.svg and .pdf, and prints the table of steps.
+/// `full`: all poses on the large objects.
 void run_ablation(const Experiment_options& options);
 
 /// Repeats the claims of JS08 section 4 about the paper's tree other than frames per second, in double. These are the
-/// cost and gain of adjusting bounding tetrahedra, the depth that suits a relative size, its effect on the number of
-/// tests, and the effect of B's turning. Meshes of the cat's and the horse's size are asked against themselves at
-/// relative sizes 1:1 to 1:16. Writes out/paper.csv, out/paper.svg and .pdf, and prints the tables. `full`: every pose
-/// for every tree.
+/// cost and gain of adjusting bounding tetrahedra, the depth that suits a relative size, and its effect on the number
+/// of tests. Another is the effect of B's turning. Meshes of the cat's and the horse's size are asked against
+/// themselves at relative sizes 1:1 to 1:16. Writes out/paper.csv, out/paper.svg and .pdf, and prints the tables.
+/// `full`: every pose for every tree.
 void run_paper(const Experiment_options& options);
 
 /// Measures the fast tree and the paper's against FCL, CGAL, Bullet and ODE in one run, with shared poses and judged
@@ -32,7 +32,7 @@ void run_peers(const Experiment_options& options);
 void run_scaling(const Experiment_options& options);
 
 /// Runs the robustness and time study. Every subject is asked on the trajectories of JS08 section 4 and on exactly
-/// degenerate contacts; its answers are judged by the truth and its time is measured. Writes out/study.csv, one row for
+/// degenerate contacts. Its answers are judged by the truth and its time is measured. Writes out/study.csv, one row for
 /// each workload, question and subject, and draws the report.
 void run_study(const Experiment_options& options);
 

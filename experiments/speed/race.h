@@ -31,8 +31,8 @@ struct Timing : Judged_answers {
   /// The means of the fastest times in the poses that this contestant was asked: its own, the first contestant's and
   /// FCL's. Ratios of contestants that were asked different poses are computed from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
-  /// For a `clocked_cold` contestant: the mean over `Race::cold_poses` poses with the caches emptied before each, and
-  /// the mean of the fastest times in the same poses.
+  /// The means of two kinds of times, for a `clocked_cold` contestant. The cold one is over `Race::cold_poses` poses
+  /// with the caches emptied before each. The warm one is of the fastest times in the same poses.
   double cold_ns = 0, warm_ns = 0;
   std::size_t passes = 0;  ///< each is timed, run without the clock, and timed again; a long one is timed once
   tetratree::Query_statistics counts;  ///< work of one pass over the course, by its poses

@@ -53,7 +53,7 @@ inline tetratree::Query_statistics weighted(const tetratree::Query_statistics& c
 /// answers of the first pass are judged.
 ///
 /// A contestant that is not asked every pose gets equally many colliding and separate poses, as far as there are
-/// enough: the colliding ones are few and take longest. Times are weighted by the fraction of each kind in the course.
+/// enough. The colliding ones are few and take longest. Times are weighted by the fraction of each kind in the course.
 /// Each is therefore an estimate of its value over the whole course.
 class Timed_poses {
  public:

@@ -155,8 +155,8 @@ std::vector<Pose> circular_trajectory(const covering::Polyhedron& a, const cover
 
 namespace {
 
-/// Returns an upper bound of the distance of the first collision on the path from `outside` to 0 in steps, too large by
-/// at most `error`; nothing if no step collides.
+/// Returns an upper bound of the distance of the first collision on the path from `outside` to 0 in steps. It is too
+/// large by at most `error`. Returns nothing if no step collides.
 template <class Collides_at>
 std::optional<double> first_contact(double outside, double step, double error, const Collides_at& collides_at)
 {

@@ -33,10 +33,10 @@ std::vector<kernel::Pose> circular_trajectory(const covering::Polyhedron& a, con
 
 /// Returns poses close to A's border all along. B stands on a spiral of directions over the sphere about A's centroid.
 /// Along each direction steps and bisection bring it to touch from outside. Then it is moved out by a small distance,
-/// equal in all frames, and by a random translation of up to 1.6 % (ratio 1) to 0.8 % (large ratios) of A's radius.
-/// With the distance, about two thirds of that, 5.5 % to 9.5 % of the frames collide; if no whole number of frames is
-/// in that range, the number nearest to 7.5 %. Where B reaches A's centroid without touching (through a tunnel), it
-/// keeps the distance of the frame before. Calls `collides` some 15 to 40 times per frame.
+/// equal in all frames, and by a random translation. The translation is up to 1.6 % (ratio 1) to 0.8 % (large ratios)
+/// of A's radius. The distance is about two thirds of that: 5.5 % to 9.5 % of the frames collide then. If no whole
+/// number of frames is in that range, it is the number nearest to 7.5 %. Where B reaches A's centroid without touching
+/// (through a tunnel), it keeps the distance of the frame before. Calls `collides` some 15 to 40 times per frame.
 std::vector<kernel::Pose> contour_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
                                              int frames, std::uint64_t seed, const Collides& collides,
                                              Turning turning = Turning::yes);
@@ -48,7 +48,7 @@ std::vector<kernel::Pose> contour_trajectory(const covering::Polyhedron& a, cons
 std::vector<kernel::Pose> smooth_walk(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
                                       int frames, double clearance, std::uint64_t seed, const Collides& collides);
 
-/// Returns B's mean motion from one frame to the next: the largest motion of a corner of its bounding box, as a
+/// Returns B's mean motion from one frame to the next. It is the largest motion of a corner of its bounding box, as a
 /// fraction of A's largest extent. Requires two poses.
 double mean_motion(const covering::Polyhedron& a, const covering::Polyhedron& b,
                    const std::vector<kernel::Pose>& poses);

@@ -133,7 +133,7 @@ Workload in_cavity(int rotations, Random random)
   return w;
 }
 
-/// The complex polyhedra side by side: a vertex of A that is farthest along x, alternately on a vertex of B that is
+/// The complex polyhedra side by side. A vertex of A that is farthest along x is alternately on a vertex of B that is
 /// farthest against x and slightly off it.
 Workload stacked(Objects& objects, int rotations, Random random)
 {

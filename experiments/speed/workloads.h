@@ -33,10 +33,10 @@ struct Named_workload {
   std::function<Workload()> make;
 };
 
-/// Returns the workloads of the study. The four objects of JS08 Fig. 15 (two complex polyhedra, a mesh of the cat's
-/// size and one of the horse's) move in all pairs on both trajectories of its section 4. The largest moves against
-/// itself at relative sizes 1:2 to 1:16. Scenarios of exactly degenerate contact have `rotations` poses each. `models`
-/// is the folder that fetch_models.sh filled. Throws covering::Input_error when a mesh does not exist.
+/// Returns the workloads of the study. The four objects are those of JS08 Fig. 15: two complex polyhedra, a mesh of the
+/// cat's size and one of the horse's. They move in all pairs on both trajectories of its section 4. The largest moves
+/// against itself at relative sizes 1:2 to 1:16. Scenarios of exactly degenerate contact have `rotations` poses each.
+/// `models` is the folder that fetch_models.sh filled. Throws covering::Input_error when a mesh does not exist.
 std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations,
                                             std::uint64_t seed);
 

@@ -41,7 +41,7 @@ inline Point image(const std::array<double, 12>& m, const Point& p)
   return x;
 }
 
-/// Returns the body's triangles, or fans of its faces from an old harness; nothing where a face has a hole, and where a
+/// Returns the body's triangles, or fans of its faces from an old harness. Returns nothing where a face has a hole or a
 /// triangle has a corner twice, which these libraries do not take.
 inline std::optional<Body> body_of(const json& model)
 {

@@ -6,10 +6,10 @@
 
 namespace tetracone::experiments {
 
-/// Draws the tables in the folder `out`: runs experiments/report/SCRIPT OUT, from the sources or, where they are gone,
-/// as installed with the program, with Debian's Python and matplotlib. The script prints its summary. Throws
-/// covering::Input_error when there is no such script, and std::runtime_error with the last line of the script's errors
-/// when it fails.
+/// Draws the tables in the folder `out`. It runs experiments/report/SCRIPT OUT, with Debian's Python and matplotlib.
+/// The script is that of the sources or, where they are gone, the one installed with the program. The script prints its
+/// summary. Throws covering::Input_error when there is no such script, and std::runtime_error with the last line of the
+/// script's errors when it fails.
 void draw(const std::string& script, const std::filesystem::path& out);
 
 }  // namespace tetracone::experiments

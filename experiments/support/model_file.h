@@ -45,8 +45,8 @@ Model_file whole_model(const std::string& name, covering::Polyhedron polyhedron)
 
 /// Reads a model or a saved body, merged and oriented by the options, with its non-planar faces replaced by triangles.
 /// Lines on stderr report this, and the parts that the reader left out. Throws covering::Input_error for an unreadable
-/// file, with `strict` for a non-planar face, and with `must_be_solid` for an open surface: where it is open, and what
-/// would close it.
+/// file, and with `strict` for a non-planar face. With `must_be_solid` it throws it for an open surface, and says where
+/// it is open, and what would close it.
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid);
 
 /// Loads both at the same time; their lines and errors come as if they were loaded one after the other.

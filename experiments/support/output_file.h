@@ -11,7 +11,7 @@ namespace tetracone::experiments {
 /// the work, not after it.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes the whole file under a temporary name beside it, then renames it: a reader sees the old file or the new one,
+/// Writes the whole file under a temporary name beside it, then renames it. A reader sees the old file or the new one,
 /// never a part. Links are followed. A device, a FIFO, or the file that standard output already is, is written
 /// directly. Throws covering::Input_error, with the system's reason, when it cannot be written; then nothing is left
 /// behind.

@@ -15,8 +15,8 @@ namespace tetracone::experiments {
 inline std::string sha256(std::string_view bytes)
 {
   using Word = std::uint32_t;
-  // The constants are the first 32 bits of the fractional parts of the square roots of the first 8 primes, and of the
-  // cube roots of the first 64.
+  // The constants are the first 32 bits of fractional parts: of the square roots of the first 8 primes, and of the cube
+  // roots of the first 64.
   std::array<Word, 8> state{};
   std::array<Word, 64> constants{};
   const auto fraction = [](double x) { return Word((x - std::floor(x)) * 0x1p32); };

@@ -28,16 +28,16 @@ std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron&
 /// and poses are the shortest decimals of their nearest doubles; bounding volumes have six digits. The members are:
 ///  - `bodies`: vertices, faces by their loops, and triangles to draw them by;
 ///  - `covering`, of a body: its origin, triangles and their exact signs;
-///  - `nodes`, of a body's paper tree (adaptive kernel) without the root: level, whether a leaf, V'1 V'2 V'3, centre
-///    and radius of the sphere, and for a leaf its faces;
+///  - `nodes`, of a body's paper tree (adaptive kernel) without the root: level, whether a leaf, and V'1 V'2 V'3. They
+///    also have centre and radius of the sphere, and for a leaf its faces;
 ///  - `hull`, of a node: level and dmax of the regular hull (dmax < 0: the hull is a sphere about V0, see
 ///    `tetratree::Regular_hull`);
 ///  - `exact` and `answer`, for two bodies and each pose: the exact answer and the subject's;
-///  - `features`, for each pose: body, edge, face, kind of contact, and 0 if the subject finds it too, 1 if it misses
-///    it, 2 if only it finds it;
-///  - `left`, for each pose: the pairs of leaves of the two trees that the paper's query does not discard, as the
-///    leaves of A and those of B. A pose with more than `most_leaf_pairs` has none, and null as its number of
-///    features. A predicate's case has answers only;
+///  - `features`, for each pose: body, edge, face, kind of contact, and a number. It is 0 if the subject finds it too,
+///    1 if it misses it, 2 if only it finds it;
+///  - `left`, for each pose: the pairs of leaves of the two trees that the paper's query does not discard. They are
+///    given as the leaves of A and those of B. A pose with more than `most_leaf_pairs` has none, and null as its number
+///    of features. A predicate's case has answers only;
 ///  - `nearest`, for each pose: the distance, the two nearest points and the features that contain them;
 ///  - `contacts`, for each pose: where faces meet, as segments of six numbers; a polygon is given by its border;
 ///  - `self`, of a body: where it intersects itself, as `contacts`; `self_pairs`: the number of pairs of its faces;

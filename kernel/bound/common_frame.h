@@ -17,8 +17,8 @@ namespace least_stretch_bound {
 
 constexpr double u = unit_roundoff<double>;
 
-/// Upper bound of the error of a row of L^T L (its diagonal entry less the magnitudes of the others), relative to the
-/// sum of the squares of all entries: verify/proofs/nearest_proofs.h.
+/// Upper bound of the error of a row of L^T L: its diagonal entry less the magnitudes of the others. It is relative to
+/// the sum of the squares of all entries: verify/proofs/nearest_proofs.h.
 inline constexpr double row_rounding = 32 * u;
 /// Upper bound of the relative error of the root of such a row: verify/proofs/nearest_proofs.h.
 inline constexpr double root_rounding = 4 * u;
@@ -40,10 +40,10 @@ Number row_of_gram(const std::array<Number, 3>& column, const std::array<Number,
 /// Returns a lower bound of |L x| / |x| over all x; 0 where nothing is known. L has these rows. The entries are taken
 /// exactly.
 ///
-/// A lower bound of the least eigenvalue of L^T L is the smallest, over its rows, of the diagonal entry minus the
-/// magnitudes of the others (Gershgorin). It is close where L is nearly a similarity. The least singular value is also
-/// |det L| over the product of the two others. That product is at most half the sum of all squares. The larger bound is
-/// returned. The determinant's error is at most `Pose::determinant_rounding` of its permanent.
+/// The least eigenvalue of L^T L has a lower bound by its rows (Gershgorin). It is the smallest, over the rows, of the
+/// diagonal entry minus the magnitudes of the others. It is close where L is nearly a similarity. The least singular
+/// value is also |det L| over the product of the two others. That product is at most half the sum of all squares. The
+/// larger bound is returned. The determinant's error is at most `Pose::determinant_rounding` of its permanent.
 inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
 {
   namespace bound = least_stretch_bound;
@@ -62,9 +62,9 @@ inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
   return maximum(by_rows, by_volume);
 }
 
-/// Two placed bodies in common coordinates, in double. These are the coordinates of space, relative to the place of A's
-/// local origin, times a power of two that makes the larger body about as large as 1. `position_error` is an upper
-/// bound of the error of a point's coordinate.
+/// Two placed bodies in common coordinates, in double. These are the coordinates of space relative to the place of A's
+/// local origin, times a power of two. The power makes the larger body about as large as 1. `position_error` is an
+/// upper bound of the error of a point's coordinate.
 ///
 /// A local point p, whose coordinates have an error of at most 2 u (`Bvh8_elements::local_error`), is placed by L p.
 /// The entries of L are rounded where they are fractions. B's points are then moved by D, the place of B's local origin

@@ -25,7 +25,7 @@ inline double octahedral_norm(const Local_point& p) { return std::abs(p[0]) + st
 /// Upper bound of the error of `cone_determinant` in double (verify/proofs/distance_proofs.h). a and b are points of a
 /// model; the norm of p is at most 4.
 ///
-/// For |a_k|, |b_k| <= 1 the minors of a and b are at most 2, so the six products sum to at most 8 in absolute value,
+/// For |a_k|, |b_k| <= 1 the minors of a and b are at most 2. So the six products sum to at most 8 in absolute value,
 /// each rounded at most five times. Errors of the coordinates add at most 8 e for a, 8 e for b and 6 e for p, e =
 /// `local_error`. The sum of all errors is below 2^-46.
 inline constexpr double cone_side_bound = 0x1p-44;

@@ -10,11 +10,11 @@
 #include <cmath>
 
 /// Certified gaps of eight boxes and one that a similarity carries. Each is along an axis n as it is stored, whose
-/// length is at most 1 + 2^-17. For all points q of the one and p of a lane, the gap is a lower bound of n . (q - p),
-/// and so of their distance.
+/// length is at most 1 + 2^-17. The gap is a lower bound of n . (q - p), and so of the distance, for all points q of
+/// the one and p of a lane.
 ///
 /// The comparison of obb8_overlap.h finds the axis of the largest gap. Its slack suffices to tell whether a gap is
-/// positive: boxes whose centres are farther apart than the sum of their supports are apart, whatever is computed. The
+/// positive. Boxes whose centres are farther apart than the sum of their supports are apart, whatever is computed. The
 /// error of a gap's size also grows with the distance of the centres.
 namespace tetracone::kernel {
 

@@ -8,8 +8,8 @@
 
 namespace tetracone::kernel {
 
-/// Upper bound of the error of a point's coordinate along an axis beyond a box, relative to M = |p|_1 + reach, p
-/// relative to the node's origin. The roundings of p and p - c are 2 of 2^-24, products and sums with an axis 4. The
+/// Upper bound of the error of a point's coordinate along an axis beyond a box, relative to M = |p|_1 + reach. Here p
+/// is relative to the node's origin. The roundings of p and p - c are 2 of 2^-24, products and sums with an axis 4. The
 /// difference from the extent and the slack's own rounding are 3. The axes' defect times the extents is 8 of 2^-24.
 inline constexpr float point_box_rounding = 32 * 0x1p-24f;
 

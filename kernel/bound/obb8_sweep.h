@@ -90,8 +90,8 @@ struct alignas(32) Near_times {
   float from[lanes], until[lanes];
 };
 
-/// A test of the lanes of `boxes` against box `lane` of `from`, which `map`, a similarity, carries into their frame in
-/// the middle of the span.
+/// A test of the lanes of `boxes` against box `lane` of `from`. The similarity `map` carries that box into their frame
+/// in the middle of the span.
 struct Sweep_test {
   const Obb8* boxes;
   const Box_map* map;
@@ -117,7 +117,7 @@ inline float radius_of(const Obb8& boxes, int lane)
   return std::sqrt(square);
 }
 
-/// Number of gap slacks in the slack of a sweep: in each time the distance counts twice and the gap once, each with an
+/// Number of gap slacks in the slack of a sweep. In each time the distance counts twice and the gap once, each with an
 /// error of at most one (verify/proofs/reference_proofs.h).
 inline constexpr float slacks_of_sweep = 3;
 

@@ -386,8 +386,8 @@ class Apex_box {
   {
     if (code == 0) return true;
     if (!(e1_ > 0)) return false;
-    // The triangle is before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each given by its normal (x, y)
-    // and its support.
+    // The triangle is before the lines from (-e1, -e2) and from (e1, -e2) to the apex. Each line is given by its normal
+    // (x, y) and its support.
     const double apex = apex_of(code), tolerance = apex_tolerance * (e1_ + e2_);
     std::array<std::array<double, 2>, 3> at;
     for (std::size_t k = 0; k < 3; ++k) at[k] = {along(1, corners[k]), along(2, corners[k])};

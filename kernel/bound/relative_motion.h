@@ -139,7 +139,7 @@ inline double steps_along(const Course& course, const Placement& before, const P
   return fastest(course, before, after);
 }
 
-/// Returns the stray: an upper bound of the distance between a point's place after the motion and the place that
+/// Returns the stray. It is an upper bound of the distance between a point's place after the motion and the place that
 /// `steps` steps of the course predict. It holds for all points p with |p_k| <= 1. The motion leads from the point's
 /// exact image under `before` to its exact image under `after`. Infinite or undefined where nothing is known.
 ///

@@ -51,8 +51,8 @@ namespace triangle_distance {
 
 constexpr double u = unit_roundoff<double>;
 
-/// Upper bound of the relative error of a length that is computed as the root of a sum of three squares, and of one
-/// more product. These are 4 u and terms of second order (verify/proofs/distance_proofs.h).
+/// Upper bound of the relative error of a length that is computed as the root of a sum of three squares. It also covers
+/// one more product. These are 4 u and terms of second order (verify/proofs/distance_proofs.h).
 inline constexpr double length_rounding = 8 * u;
 
 /// Upper bound of the error of a point in a triangle, or of a product with a direction, relative to the largest

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-/// Points, directions and axes in rounded double. Eigen is not used for these: each of its expressions is a type that
+/// Points, directions and axes in rounded double. Eigen is not used for these. Each of its expressions is a type that
 /// every unit instantiates, which took a third of the time to compile our headers.
 namespace tetracone::kernel {
 

@@ -125,7 +125,7 @@ class Model_cones {
   }
 
   /// Returns the sums of the placed model. With the apex o in the model's coordinates, det[a - o, b - o, c - o] is
-  /// det[a, b, c] - o . n for n = a x b + b x c + c x a, and the centroid of the cone is (o + a + b + c) / 4.
+  /// det[a, b, c] - o . n for n = a x b + b x c + c x a. The centroid of the cone is (o + a + b + c) / 4.
   Volume_moment placed(const Rational_map& pose) const
   {
     const Rational_point o = pose.inverse({0, 0, 0});

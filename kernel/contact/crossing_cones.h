@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-/// The cones over the common parts of the faces of two solids, over a number type N: integers, whose sums are exact, or
-/// intervals, whose sums are enclosures.
+/// The cones over the common parts of the faces of two solids, over a number type N. Integers give exact sums,
+/// intervals give enclosures.
 namespace tetracone::kernel {
 
 /// Returns the sign. Throws CGAL::Uncertain_conversion_exception where an interval does not tell it.

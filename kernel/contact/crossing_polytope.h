@@ -37,8 +37,9 @@ class Crossing_polytope {
  public:
   /// Requires a block of upward rounding. With pieces that are not bounded (`are_bounded` is false), it holds no
   /// translation and may meet every box. `radius` is an upper bound of the ball's radius. Translations that are asked
-  /// for have coordinates of at most `most`. `exactly` tells of the exact pieces: is_zero(axis), whether an axis is the
-  /// direction 0; is_outside_ball(axis, sign), whether the plane of a half-space does not cut the open ball.
+  /// for have coordinates of at most `most`. `exactly` tells of the exact pieces. `is_zero(axis)` says whether an axis
+  /// is the direction 0. `is_outside_ball(axis, sign)` says whether the plane of a half-space does not cut the open
+  /// ball.
   template <class Exactly>
   Crossing_polytope(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b, bool are_bounded, double radius,
                     double most, const Exactly& exactly)

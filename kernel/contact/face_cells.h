@@ -67,10 +67,10 @@ class Face_cells {
     return from <= to;
   }
 
-  /// Calls what(p, q, weight) for segments pq of the plane. Summed over them, weight times the triangle (c, p, q) is
-  /// the sum of each cell times its `weights`, for any point c of the plane. Triangles that are anticlockwise as seen
-  /// from above count as positive. A segment is as long as the weights beside it allow, so that its ends have few
-  /// digits.
+  /// Calls what(p, q, weight) for segments pq of the plane. The sum of weight times the triangle (c, p, q) over them
+  /// equals the sum of each cell times its `weights`. That holds for any point c of the plane. Triangles that are
+  /// anticlockwise as seen from above count as positive. A segment is as long as the weights beside it allow, so that
+  /// its ends have few digits.
   template <class What>
   void for_borders(std::span<const int> weights, const What& what) const
   {

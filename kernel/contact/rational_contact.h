@@ -123,9 +123,9 @@ inline bool add_crossings(const Rational_face& face, int of, const Rational_face
   return true;
 }
 
-/// Returns what two faces share that have no corner on the plane of the other, and no common point of edges: segments
-/// in their insides, in the order of the first coordinate that differs. Nothing for other faces. It looks at no point
-/// twice, which `Line_contact` does to find features.
+/// Returns the segments that the insides of two faces share, in the order of the first coordinate that differs. These
+/// faces have no corner on the plane of the other, and no common point of edges. Nothing for other faces. It looks at
+/// no point twice, which `Line_contact` does to find features.
 inline std::optional<std::vector<Rational_piece>> crossing_pieces(const Rational_face& p, const Rational_face& q)
 {
   std::vector<Plane_crossing> on_line;
@@ -165,8 +165,8 @@ inline std::vector<Rational_piece> pieces_on_line(const Rational_face& p, const 
 
 }  // namespace detail
 
-/// Returns the set that two closed faces share, in maximal pieces: polygons where they are in one plane, then segments
-/// and points that no polygon holds. Faces may have holes, cross or touch themselves, and be degenerate.
+/// Returns the set that two closed faces share, in maximal pieces. Polygons come first, where they are in one plane,
+/// then segments and points that no polygon holds. Faces may have holes, cross or touch themselves, and be degenerate.
 inline std::vector<Rational_piece> face_contact(const Rational_face& p, const Rational_face& q)
 {
   if (!p.has_plane() || !q.has_plane()) {

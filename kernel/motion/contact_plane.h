@@ -24,7 +24,8 @@ namespace tetracone::kernel {
 ///
 /// For a vertex and a triangle it contains the triangle. For two edges it contains A's edge and is parallel to B's. Its
 /// height over a point x is the volume n . (x - o) of `Exact_motion`, a form in time and affine in x. Two hulls share
-/// no point while all vertices of one have heights of one sign, and no vertex of the other has a height of that sign.
+/// no point while their heights differ in sign. All vertices of one have heights of one sign then, and no vertex of the
+/// other has a height of that sign.
 class Contact_plane {
  public:
   /// `body` is the body of the vertex, for kind vertex_face. `corner` has the points of `Moving_pair`, in their bodies'

@@ -49,7 +49,7 @@ inline bool add_control_poses(const Body_motion::Forms& forms, int halvings, std
   return true;
 }
 
-/// Returns poses whose images hold a moving body: at every time in [0, 1], each point of it is in the hull of the
+/// Returns poses whose images hold a moving body. At every time in [0, 1], each point of it is in the hull of the
 /// point's images under these. The body need not take these poses, and det M may be 0.
 ///
 /// For a linear motion they are both ends. For a rigid one they are the coefficients of M and v over those of w, in

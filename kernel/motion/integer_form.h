@@ -136,8 +136,8 @@ class Integer_form {
     return sum;
   }
 
-  /// Returns a form with the roots of this one in (0, 1): without factors s and t, which have none there, and without
-  /// common divisors of the coefficients. It is empty for the zero form.
+  /// Returns a form with the roots of this one in (0, 1). It is without factors s and t, which have none there, and
+  /// without common divisors of the coefficients. It is empty for the zero form.
   Integer_form primitive() const
   {
     Integer_form result;

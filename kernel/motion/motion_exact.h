@@ -32,8 +32,8 @@ inline Integer_form cross_form(const Form_vector& a, const Form_vector& b, std::
 /// The primitives meet at a time where three things hold. Their boxes overlap, the four points are coplanar, and their
 /// projections along each of the three axes meet. That is right for points in any position, since one of the three
 /// projections is injective on a plane that contains them. In the plane, a point is in the closed triangle where no two
-/// of the three turns have opposite signs, and it is in the triangle's box. Closed segments meet where neither has both
-/// ends of the other strictly on one side, and their boxes overlap. The boxes decide where all turns vanish.
+/// of the three turns have opposite signs. It must also be in the triangle's box. Closed segments meet where neither
+/// has both ends of the other strictly on one side, and their boxes overlap. The boxes decide where all turns vanish.
 ///
 /// The times of contact are a closed set. So the first of them is the first time asked about or a root. The root is one
 /// of the volume or, where that is zero all the time, of another form.

@@ -26,8 +26,8 @@ inline Vertex scaled_to_one(const Vertex& v)
   return {v[0] * shrink, v[1] * shrink, v[2] * shrink};
 }
 
-/// The part of a body's local units that the bounds need: a local point p is o + unit p in its own coordinates, unit a
-/// power of two.
+/// The part of a body's local units that the bounds need. A local point p is o + unit p in its own coordinates, where
+/// unit is a power of two.
 struct Motion_units {
   Vertex origin;
   double unit;
@@ -74,8 +74,8 @@ class Motion_span {
  public:
   static constexpr std::size_t most_coefficients = 8;
 
-  /// Upper bound of the error of a time in the span, as a fraction of it: a quotient of at most 1, by a difference of
-  /// opposite signs (verify/proofs/motion_proofs.h).
+  /// Upper bound of the error of a time in the span, as a fraction of it. A time is a quotient of at most 1, by a
+  /// difference of opposite signs (verify/proofs/motion_proofs.h).
   static constexpr double rounding_of_times = 0x1p-50;
 
   /// The maps of both bodies' local points. B's has the offset from A's origin to its own.

@@ -18,8 +18,8 @@ struct Time_cell {
   unsigned k = 0;
 };
 
-/// A time in [0, 1], exact: a dyadic number, or a simple root of a form in an open dyadic cell that holds no other root
-/// of it.
+/// A time in [0, 1], exact. It is a dyadic number, or a simple root of a form in an open dyadic cell that holds no
+/// other root of it.
 class Time_root {
  public:
   /// The time m / 2^k.

@@ -102,7 +102,7 @@ inline bool floating_point_is_sound()
 }
 
 /// True when the compiler evaluates sums, products and quotients as they are written, in the calling function. Then the
-/// remainder of TwoSum is not folded to 0, a product is rounded before it is added to, and a quotient is no product
+/// remainder of TwoSum is not folded to 0, and a product is rounded before it is added to. A quotient is no product
 /// with a reciprocal.
 [[gnu::always_inline]] inline bool arithmetic_is_as_written()
 {

@@ -94,8 +94,8 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
 
 /// Returns a fraction of few digits that compares with every double (less, equal or greater) as `value` does.
 ///
-/// `value` is scaled by a power of two so that its integer part has 127 or 128 bits, more than the largest double has
-/// places before its last bit is known. One bit more tells whether something is left.
+/// `value` is scaled by a power of two so that its integer part has 127 or 128 bits. That is more than the largest
+/// double has places before its last bit is known. One bit more tells whether something is left.
 inline Rational shortened(const mpz_class& top, const mpz_class& bottom)
 {
   const long bits = long(mpz_sizeinbase(top.get_mpz_t(), 2)) - long(mpz_sizeinbase(bottom.get_mpz_t(), 2));
@@ -165,7 +165,7 @@ inline std::string shortest(double value)
 /// Returns "n/d" in lowest terms, or "n" when the denominator is 1.
 inline std::string to_string(const Rational& value) { return value.get_str(); }
 
-/// Returns a text that readers of poses take for exactly `value`: its shortest decimal where it is a double, else
+/// Returns a text that readers of poses take for exactly `value`. It is its shortest decimal where it is a double, else
 /// "n/d", with d = 1 for an integer.
 inline std::string exact_text(const Rational& value)
 {

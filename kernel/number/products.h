@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-/// The expressions of three coordinates that stages, bounds and proofs use alike, over any number type: doubles,
+/// The expressions of three coordinates that stages, bounds and proofs use alike. The number type is any: doubles,
 /// floats, double-double, and the numbers of verify/proofs/, which record the computation. An error bound holds for the
 /// order of operations that is written here.
 namespace tetracone::kernel {

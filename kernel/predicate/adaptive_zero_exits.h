@@ -13,9 +13,9 @@ namespace tetracone::kernel {
 /// equal exact coordinates give every product a factor 0.
 class Adaptive_zero_exits : public Adaptive_points {
  public:
-  /// Returns ZERO where det[b-a, c-a, d-a] is 0 at sight; else undecided. That is so where two points are identical, or
-  /// where images are exact and each of the six products has a factor 0, as on a plane perpendicular to an axis. A
-  /// difference of doubles is 0 only when they are equal.
+  /// Returns ZERO where det[b-a, c-a, d-a] is 0 at sight; else undecided. That is so where two points are identical. It
+  /// is also so where images are exact and each of the six products has a factor 0, as on a plane perpendicular to an
+  /// axis. A difference of doubles is 0 only when they are equal.
   static Decision zero_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     if (identical(c, d) || identical(b, d) || identical(b, c) || identical(a, d) || identical(a, c) || identical(a, b))

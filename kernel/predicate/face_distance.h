@@ -222,8 +222,8 @@ inline Exact_distance distance_of_faces(const Exact_face& a, const Exact_face& b
   return *best;
 }
 
-/// Returns the distance of two hulls of one to three corners, of which one is a corner or both are edges, where the
-/// nearest points of their affine hulls are on them. Such hulls may be the features of triangles that hold their
+/// Returns the distance of two hulls of one to three corners, where the nearest points of their affine hulls are on
+/// them. One of the hulls is a corner, or both are edges. Such hulls may be the features of triangles that hold their
 /// nearest points. Returns nothing elsewhere.
 inline std::optional<Exact_distance> distance_of_hulls(const std::vector<Exact_vector>& a,
                                                        const std::vector<Exact_vector>& b, Nearest_points points)

@@ -194,8 +194,8 @@ inline Exact_face exact_face(const Hull& hull, bool has_plane)
   return face;
 }
 
-/// Returns a direction m with m . start < min and m . end <= min over the corners of a face, of a face that the segment
-/// from start to end meets at its end alone. Nothing where the hull of the corners goes on to the other side.
+/// Returns a direction m with m . start < min and m . end <= min over the corners of a face. The segment from start to
+/// end meets that face at its end alone. Nothing where the hull of the corners goes on to the other side.
 inline std::optional<Exact_vector> direction_of_first_touch(const Exact_face& face, const Exact_vector& start,
                                                             const Exact_vector& end)
 {

@@ -10,8 +10,8 @@
 
 namespace tetracone::kernel {
 
-/// Returns what `sides<Adaptive>` returns for points of placed bodies, but mostly asks the stages after the filter only
-/// once for a plane and a point: it is a cache. Triangles that share a corner ask for the same sign again and again
+/// Returns what `sides<Adaptive>` returns for points of placed bodies. It is a cache: it mostly asks the stages after
+/// the filter only once for a plane and a point. Triangles that share a corner ask for the same sign again and again
 /// where bodies touch. A point's address stands for its image until `clear`.
 class Kept_sides {
  public:

@@ -24,10 +24,12 @@ On_segment locate_on_segment(const Point<K>& p, const Point<K>& a, const Point<K
   return coincide<K>(p, a) ? On_segment::first_end : On_segment::outside;
 }
 
-/// Returns how the closed segments pq and ab meet. Either may be a point. It uses signs alone: coplanarity by
-/// `volume_sign`, crossing by `normal_sign` along an axis that keeps the common plane a plane, overlap of collinear
-/// segments by `difference_sign`. One common point gives vertex_vertex, vertex_edge (in either order) or edge_edge.
-/// More of them give coplanar_overlap.
+/// Returns how the closed segments pq and ab meet. Either may be a point. It uses signs alone:
+/// - coplanarity by `volume_sign`;
+/// - crossing by `normal_sign` along an axis that keeps the common plane a plane;
+/// - overlap of collinear segments by `difference_sign`.
+/// One common point gives vertex_vertex, vertex_edge (in either order) or edge_edge. More of them give
+/// coplanar_overlap.
 template <class K>
 Contact segment_segment(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b)
 {

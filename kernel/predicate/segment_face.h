@@ -15,8 +15,8 @@
 /// the tetrahedron of the other end and the triangle. (Jimenez, Segura & Feito, CGTA 2010, cited as the detailed test
 /// in JS08 section 3.) It was chosen for three reasons.
 /// - The sign [p, q, A, B] of an edge serves both triangles at that edge, so no crack opens between them in any kernel.
-/// - It extends to any planar face through its covering. A face is a signed sum of triangles W A B (JS08 Definition 1),
-/// and the signs [p, q, W, A], [p, q, W, B], [p, q, A, B] tell in which of them the crossing lies.
+/// - It extends to any planar face through its covering. A face is a signed sum of triangles W A B (JS08 Definition 1).
+/// The signs [p, q, W, A], [p, q, W, B], [p, q, A, B] tell in which of them the crossing lies.
 /// - It needs no division and no point of intersection.
 ///
 /// Pluecker coordinates give the same five determinants; CGAL's formulation decides the same signs in another order.
@@ -71,7 +71,7 @@ namespace detail {
 /// Returns the winding number of the face's loops about a point y of its plane that lies on no loop. It is the signed
 /// count of the covering triangles W A B that hold y. `turn(A, B)` is the sign of the turn from A to B about y, and
 /// `side(A)` is that from W to A. Both are seen from one side of the plane. A point on an inner edge W A of the
-/// covering is moved off it: a side of ZERO counts as POSITIVE for every triangle at that edge. That is the effect of
+/// covering is moved off it. A side of ZERO counts as POSITIVE for every triangle at that edge. That is the effect of
 /// turning the ray from W through y by an infinitesimal.
 template <class K, Covered_face<K> Face, class Side, class Turn>
 int winding_in_plane(const Face& face, const Side& side, const Turn& turn)

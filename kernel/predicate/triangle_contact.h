@@ -20,8 +20,8 @@ constexpr Edge_set edges_at(int k) { return Edge_set(1 << k | 1 << (k + 2) % 3);
 /// Returns the corner at which two edges meet. Requires two edges.
 constexpr int corner_of(Edge_set edges) { return edges == edges_at(0) ? 0 : edges == edges_at(1) ? 1 : 2; }
 
-/// The convex set that two triangles share, by the edges of either that hold its corners. Each corner is a vertex of
-/// one, or the point where an edge of one goes through the interior of the other, or the crossing of two edges.
+/// The convex set that two triangles share, by the edges of either that hold its corners. A corner is a vertex of one,
+/// or the crossing of two edges. Else it is the point where an edge of one goes through the interior of the other.
 struct Triangle_contact {
   /// A corner of the set, by the edges that hold it; 0 for a triangle whose interior holds it.
   struct Corner {

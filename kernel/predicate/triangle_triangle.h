@@ -92,7 +92,7 @@ inline bool all_strictly_beside(const std::array<Sign, 3>& side)
   return side[0] == side[1] && side[1] == side[2] && side[0] != ZERO;
 }
 
-/// Rotates the corners so that the first is alone on one closed side of the other's plane, and the two others are on
+/// Rotates the corners so that the first is alone on one closed side of the other's plane. The two others are then on
 /// the other closed side. Returns the first corner's side or, if it is in the plane, the opposite of the others'.
 /// Returns ZERO, and changes nothing, where all three are in the plane.
 template <class K>

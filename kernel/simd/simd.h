@@ -26,12 +26,12 @@
 ///       return fastest;
 ///     }
 ///
-/// Vectors never cross a call. No vector function is a friend defined in a class template: g++ compiles such a friend
+/// Vectors never cross a call. No vector function is a friend defined in a class template. g++ compiles such a friend
 /// for the static target, and without optimisation it takes vectors from other registers. Signs are the same bits in
 /// all versions: functions that decide them use neither MulAdd nor sums over lanes.
 ///
 /// Highway generates the operations of a target once in a translation unit. A unit that has Highway code of its own may
-/// include this header after all of them (where HWY_ONCE is true); it then uses the operations that are there. Or it
+/// include this header after all of them (where HWY_ONCE is true). It then uses the operations that are there. Or it
 /// includes this header before them; then its own code is compiled for its static target only.
 
 #ifdef HIGHWAY_HWY_FOREACH_TARGET_H_

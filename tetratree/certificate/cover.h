@@ -114,8 +114,8 @@ struct Cover {
 
 /// Searches for separating directions of pairs of groups, and keeps those that are found.
 ///
-/// The search is one of its own beside the query's descent: it runs only when a certificate is asked for, so the
-/// descent needs no branch for it, and every direction is tested exactly.
+/// The search is one of its own beside the query's descent. It runs only when a certificate is asked for, so the
+/// descent needs no branch for it. Every direction is tested exactly.
 class Cover_search {
  public:
   Cover& cover() { return cover_; }

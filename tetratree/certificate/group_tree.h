@@ -105,8 +105,8 @@ class Group_tree {
   }
 
  private:
-  /// Appends the pieces of a group in few digits, in ascending order: steps from one to the next, the first from -1; -n
-  /// for n steps of 1.
+  /// Appends the pieces of a group in few digits, in ascending order. They are steps from one to the next, the first
+  /// from -1, and -n for n steps of 1.
   void write_steps(std::string& text, Box_id box) const
   {
     std::vector<Index> pieces;

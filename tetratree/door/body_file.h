@@ -27,8 +27,11 @@ void write_body_file(const Body_data& body, const std::filesystem::path& file);
 /// Returns a saved body. Nothing in the file is trusted. Vertices, faces and triangles are checked as `Body` checks
 /// them, the order must be a permutation, and `tree_flaw` checks the nodes. Throws Error as `read_body`.
 ///
-/// Its cost as a fraction of the time of building the body (torus of 70,000 triangles, one thread): the checksum 1/20,
-/// everything that is derived anew 1/14, the check of the nodes 1/8. All of it is 1/3, with the memory that is taken.
+/// Its cost is given as a fraction of the time of building the body (torus of 70,000 triangles, one thread):
+/// - the checksum: 1/20;
+/// - everything that is derived anew: 1/14;
+/// - the check of the nodes: 1/8.
+/// All of it is 1/3, with the memory that is taken.
 std::shared_ptr<const Body_data> read_body_file(const std::filesystem::path& file);
 
 }  // namespace tetracone::detail

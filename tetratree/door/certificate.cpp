@@ -584,8 +584,9 @@ struct Certificate::Data {
     return starts;
   }
 
-  /// Appends a way of one body to its pose, before the end of which the surfaces share no point, if one of a few is
-  /// such. `inside` is as for `leads_free`. `met` is a point that the bodies share at their poses.
+  /// Appends a way of one body to its pose, before the end of which the surfaces share no point. False where none of
+  /// the few that are tried is such. `inside` is as for `leads_free`. `met` is a point that the bodies share at their
+  /// poses.
   bool way(std::string& text, const Poses& poses, Placed_pair& pair, int inside, const tetratree::Common_point& met)
   {
     for (const auto& [mover, from] : starts(poses, pair, inside, met)) {
@@ -613,8 +614,9 @@ struct Certificate::Data {
     return way(text, poses, pair, -1, met);
   }
 
-  /// Appends a point that is inside of body `holder`, or outside, and a segment from it that meets the surface at its
-  /// end x at the earliest. The segment leads against `along` where that is given. False where none of some is such.
+  /// Appends a point that is inside of body `holder`, or outside. A segment from it follows, which meets the surface at
+  /// its end x at the earliest. The segment leads against `along` where that is given. False where none of some is
+  /// such.
   bool approach(std::string& text, const Poses& poses, std::size_t holder, const Rational_point& x, bool is_inside,
                 const std::optional<Rational_point>& along = {})
   {
@@ -688,8 +690,8 @@ struct Certificate::Data {
     return false;
   }
 
-  /// Returns a common point, and points from it towards the middles of both pieces: where faces touch in an area, the
-  /// point may be on its border, and they are within.
+  /// Returns a common point, and points from it towards the middles of both pieces. Where faces touch in an area, the
+  /// point may be on its border, and the others are within.
   static std::vector<Rational_point> points_near(Placed_pair& pair, const tetratree::Common_point& met)
   {
     const Rational_point x = rational(met.point, pair.weight);

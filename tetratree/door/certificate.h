@@ -21,7 +21,7 @@ struct Certified_file {
 };
 
 /// Collects proofs of answers about one body, or two. A program without our code, experiments/certificates/check.py,
-/// proves the answers from the text. Each proof is found exactly, by a search over the trees of the bodies: it costs
+/// proves the answers from the text. Each proof is found exactly, by a search over the trees of the bodies. It costs
 /// more than the answer, which stays as fast as it is.
 ///
 ///     Query query(a, b);
@@ -29,7 +29,7 @@ struct Certified_file {
 ///     const Answer answer = certificate.collide(query, pose_a, pose_b);
 ///     std::ofstream("proof.json") << certificate.text();
 ///
-/// An answer that the search cannot prove throws Error, and so does a body with a face that has no triangles where its
+/// An answer that the search cannot prove throws Error. A body with a face that has no triangles does so too, where its
 /// proof needs some.
 class Certificate {
  public:
@@ -77,8 +77,9 @@ class Certificate {
               bool answer, const Nearest& nearest);
   /// Adds the relation that `Query::solid_relation` answers; the dimension has no proof. True where it is proved:
   /// disjoint, inside and contains always, the others where the search finds a proof. Else nothing is added. Solids
-  /// that touch and do not overlap are proved where a plane is between them, or where a body that shrinks, grows or
-  /// moves aside a little has no contact left. Equal solids are proved where they have the same faces, too.
+  /// that touch and do not overlap are proved where a plane is between them. They are also proved where a body that
+  /// shrinks, grows or moves aside a little has no contact left. Equal solids are proved where they have the same
+  /// faces, too.
   bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
   /// Adds what `Query::exits` answers, as fractions. True where it is proved, by what proves `meet` in `relation`. Else
   /// nothing is added.

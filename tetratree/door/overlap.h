@@ -12,7 +12,7 @@ struct Overlap_data;
 }
 
 /// How much two placed solids overlap and touch. Each double is the one nearest to its fraction. A fraction is "n/d" or
-/// "n", in lowest terms; it is reduced and written when it is asked for, since it may have many thousands of digits.
+/// "n", in lowest terms. It is reduced and written when it is asked for, since it may have many thousands of digits.
 class Overlap {
  public:
   double volume = 0;                 ///< of the intersection of the interiors

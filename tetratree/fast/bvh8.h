@@ -23,8 +23,8 @@ namespace tetracone::tetratree {
 /// The fast tree: a hierarchy of oriented boxes with eight boxes per node and one element per leaf. Any kernel may
 /// decide the elements; `Bvh8_options` has other choices of construction.
 ///
-/// The tree takes three ideas from JS08: the covering and its origin, the pairwise descent of two trees and, as
-/// `Support_table`, the regular hull on the lattice of tetra-cones. It is no tetra-tree:
+/// The tree takes three ideas from JS08: the covering and its origin, the pairwise descent of two trees, and the
+/// regular hull. The hull, on the lattice of tetra-cones, is `Support_table`. It is no tetra-tree:
 /// - An element is in one box, not in every cone that it meets, so no element is tested twice.
 /// - Boxes come from cuts by cost (SAH), across the direction in which elements spread most, or along three axes where
 ///   they are few. Planes through the origin, the sides of cones, are among the cuts tried: they separate layers of the

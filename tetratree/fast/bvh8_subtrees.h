@@ -25,7 +25,7 @@ class Bvh8_subtrees {
   Bvh8_subtrees(Bvh8_builder& builder, Reserved_array<Bvh8_node>& nodes) : builder_(builder), nodes_(nodes) {}
 
   /// Makes the nodes of large parts level by level, then everything below. The nodes of a level are made at the same
-  /// time or, if one part has most of the elements, one after the other by `both`.
+  /// time. If one part has most of the elements, they are made one after the other by `both`.
   template <class Run>
   void make(const Run& run, const covering::Both& both)
   {

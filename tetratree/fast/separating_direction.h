@@ -22,8 +22,9 @@ using kernel::Pose;
 /// min m . b > max m . a, by the support tables.
 ///
 /// The first direction leads from A's origin to B's. A direction that fails is mirrored in the plane across the
-/// difference of the support points (Chung and Wang, "Quick collision detection of polytopes in virtual environments",
-/// 1996). Points of the tables replace vertices. The search ends where bodies overlap far along the direction.
+/// difference of the support points. Chung and Wang do so in "Quick collision detection of polytopes in virtual
+/// environments", 1996. Points of the tables replace vertices. The search ends where bodies overlap far along the
+/// direction.
 class Separating_direction {
  public:
   Separating_direction(const Bvh8& a, const Bvh8& b)
@@ -196,7 +197,7 @@ class Separating_direction {
   /// Tries the direction m, which leads from A to B. An unknown reach is infinite or undefined, and separates nothing.
   ///
   /// The slack beside the tables' has these terms, each times |m|_1. A direction turned back is a sum of three products
-  /// of rounded entries: its error is 4 roundings of the rows, and one of a fraction's entry. The distance is such a
+  /// of rounded entries. Its error is 4 roundings of the rows, and one of a fraction's entry. The distance is such a
   /// sum of the rounded D: its error is 5 roundings of it. The error of D itself is 5 roundings in double of its terms,
   /// which are translations and at most `farthest` times the rows.
   [[gnu::always_inline]] Attempt attempt(const Placed& placed, Floats m) const
@@ -276,8 +277,8 @@ class Separating_direction {
     return attempt(placed, m);
   }
 
-  /// Returns the next direction (Chung and Wang): m mirrored at the plane across w, which leads from A's farthest point
-  /// along m to B's farthest point against it.
+  /// Returns the next direction (Chung and Wang). It is m mirrored at the plane across w, which leads from A's farthest
+  /// point along m to B's farthest point against it.
   Floats mirrored(Floats m, const Attempt& tried, const Placed& placed) const
   {
     const Floats p = a_.table.point(tried.at_a), q = b_.table.point(tried.at_b);

@@ -23,9 +23,9 @@ namespace tetracone::tetratree {
 
 /// The front of the last descent of a pair of bodies, with certificates. It changes speed, never an answer.
 ///
-/// The front covers all pairs of elements. An entry is some lanes of a node and a box of the other body, or a pair of
-/// leaves, or of boxes still to be opened. It has a lower bound of their gap. Gaps and motions are in A's local units;
-/// A rests.
+/// The front covers all pairs of elements. An entry is a pair of leaves or of boxes still to be opened. It may also be
+/// some lanes of a node and a box of the other body. It has a lower bound of their gap. Gaps and motions are in A's
+/// local units; A rests.
 ///
 /// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later
 /// motions are taken as multiples of that step. The stray is an upper bound of the distance between a point and where

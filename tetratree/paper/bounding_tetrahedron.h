@@ -16,8 +16,8 @@ namespace tetracone::tetratree {
 /// lengthened again by a fraction, and that is kept if it bounds. `tightest` takes the bounding plane of least volume.
 ///
 /// Departures: the fractions are 3 % and 1.5 % where Fig. 8 shows 10 % and 5 % (`Config::shorten_by`). The test
-/// "bounds" is the sign of the barycentric coordinate at V0 of all vertices at once: the largest of the linear forms
-/// sum_i c_i / length_i, where c are a vertex's coordinates along the rays.
+/// "bounds" is the sign of the barycentric coordinate at V0 of all vertices at once. It takes the largest of the linear
+/// forms sum_i c_i / length_i, where c are a vertex's coordinates along the rays.
 template <class B, bool sound>
 std::array<B, 3> bounding_tetrahedron(const kernel::Cone_coordinates<B, sound>& vertices, const Config& config)
 {

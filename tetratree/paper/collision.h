@@ -33,7 +33,7 @@ using kernel::Relation;
 ///
 /// Exact kernels: the answer equals testing all edges against all faces. Proof: a point y where an edge e of A meets a
 /// face f of B lies in a leaf cone of each tree. The edge e is on a covering triangle through y, which is classified in
-/// A's leaf; likewise f has a covering triangle through y in B's. Bounding tetrahedra and spheres are rounded outward
+/// A's leaf. Likewise f has a covering triangle through y in B's. Bounding tetrahedra and spheres are rounded outward
 /// and hold what lies in their cone, so this pair of leaves is never discarded. Two faces that share a point also share
 /// one on an edge of one of them.
 ///
@@ -205,8 +205,8 @@ class Collision {
     return descend(root, root, leaf_test);
   }
 
-  // Returns the plane of `body` that faces `other`, if it can discard anything: if the other's V0, a vertex of all its
-  // bounding tetrahedra, is beyond it.
+  // Returns the plane of `body` that faces `other`, if it can discard anything. It can if the other's V0, a vertex of
+  // all its bounding tetrahedra, is beyond it.
   Plane reference(const Body& body, const Body& other) const
   {
     const auto plane = body.reference(other.origin());

@@ -40,10 +40,10 @@ struct Config {
   bool on_demand = false;
 
   Far_plane far_plane = Far_plane::shortened;
-  /// The loop of `Far_plane::shortened`: rounds over the three edges, the fraction by which an edge is shortened, and
-  /// the fraction by which it is lengthened again when that was too much. Departure: JS08 Fig. 8 has 10 % and 5 %, and
-  /// gives no number of rounds. `experiments/speed/paper_experiment.cpp` measures what other fractions cost and save,
-  /// and what no round does.
+  /// The loop of `Far_plane::shortened`: rounds over the three edges, and the fraction by which an edge is shortened.
+  /// The last is the fraction by which it is lengthened again when that was too much. Departure: JS08 Fig. 8 has 10 %
+  /// and 5 %, and gives no number of rounds. `experiments/speed/paper_experiment.cpp` measures what other fractions
+  /// cost and save, and what no round does.
   int shortening_rounds = 60;
   double shorten_by = 0.03, lengthen_by = 0.015;
 
@@ -70,7 +70,7 @@ struct Config {
   bool leaf_boxes = false;
 
   /// The fraction of all pairs of an edge and a face whose time a descent may take. Beyond it the query tests each pair
-  /// once instead: an element in many cones is listed in each, and tested in every pair of their leaves. In exact
+  /// once instead. An element in many cones is listed in each, and tested in every pair of their leaves. In exact
   /// kernels pairs of nodes count too, since bodies of a few faces have nearly as many of them. So do the edges of a
   /// face whose plane an edge crosses. Infinite means never, as the paper lists it.
   double all_pairs_after = std::numeric_limits<double>::infinity();

@@ -33,8 +33,8 @@ using kernel::Relation;
 /// What a query object remembers from one pose to the next.
 enum class Coherence {
   none,
-  last_frame  ///< a `Pair_memory`: the direction that separated the bodies and the pair of elements that met are tried
-              ///< first in the next pose; exact kernels also keep the front of the descent
+  last_frame  ///< a `Pair_memory`: the next pose tries first the direction that separated the bodies and the pair of
+              ///< elements that met. Exact kernels also keep the front of the descent
 };
 
 /// Collision detection between two `Bvh8` over kernel K. Build once, ask for many poses.

@@ -351,7 +351,7 @@ class Bvh8_distance {
     return test;
   }
 
-  /// Finds all pairs of an element in a box of A and one of B that may be the nearest, or stops where the upper bound
+  /// Finds all pairs of an element in a box of A and one of B that may be the nearest. It stops where the upper bound
   /// proves that the limit holds. It opens up to four pairs per round, so that their memory accesses overlap.
   void search(Box_id start = {})
   {

@@ -19,8 +19,8 @@ namespace tetracone::tetratree {
 ///
 /// In the span's common coordinates the reference places local points p of A at R_0 p and q of B at R_1 q + r. Both are
 /// similarities near the middle of the span, with entries in double, taken as exact. Coefficient i of the span, divided
-/// by its weight, places them at C_0i p and C_1i q + c_i. Let M, m and H, h come from the mean and half the difference
-/// of the first and last coefficients, and let x_i go from -1 to 1 in equal steps. Then, except for a rest,
+/// by its weight, places them at C_0i p and C_1i q + c_i. M, m and H, h come from the mean and half the difference of
+/// the first and last coefficients. The x_i go from -1 to 1 in equal steps. Then, except for a rest,
 ///
 ///     C_ki = R_k + M_k + x_i H_k,   c_i = r + m + x_i h.
 ///
@@ -123,9 +123,9 @@ class Span_reference {
     return m;
   }
 
-  /// Finds the sweeps and the rest. The error of a mean of coefficients is at most the error of the line between the
-  /// first and the last, along n in A's or B's units. A computed direction changes n . d by a fraction of |d|, where d
-  /// leads from the reference to a coefficient.
+  /// Finds the sweeps and the rest. The error of a mean of coefficients is at most that of the line between the first
+  /// and the last. It is taken along n in A's or B's units. A computed direction changes n . d by a fraction of |d|,
+  /// where d leads from the reference to a coefficient.
   void find_sweep(const kernel::Motion_span& span, const Vertex& offset)
   {
     const std::size_t last = span.size() - 1;

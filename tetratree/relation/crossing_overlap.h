@@ -110,7 +110,7 @@ class Interval_placing {
 /// True when vertex v of a body is in the other solid. It is asked for vertices that are not on the other surface.
 using Is_vertex_inside = std::function<bool(int body, Index v)>;
 
-/// The overlap of two simple solids in general position. All that their surfaces share are segments, and at each end an
+/// The overlap of two simple solids in general position. All that their surfaces share are segments. At each end an
 /// edge of one solid goes through the inside of a face of the other. No face needs to be cut into cells then.
 template <class Placing>
 class Crossing_overlap {

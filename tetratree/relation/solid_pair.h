@@ -278,7 +278,7 @@ class Solid_pair {
   }
 
   /// Visits all faces that may bound the overlap. Calls of_cells(body, face, cells, seen cells) for those of which
-  /// cells have to be looked at, and of_whole(body, face, weight) for whole triangles that bound it.
+  /// cells have to be looked at. Calls of_whole(body, face, weight) for whole triangles that bound it.
   template <class Of_cells, class Of_whole>
   void for_border(const Of_cells& of_cells, const Of_whole& of_whole)
   {
@@ -368,8 +368,8 @@ class Solid_pair {
     }
   }
 
-  /// Notes whether a piece on a face meets the border of the face's own solid: a closed cell with a side that is not in
-  /// it. All cells of a plain triangle have equal sides.
+  /// Notes whether a piece on a face meets the border of the face's own solid. That border is the closed cells with a
+  /// side that is not in the solid. All cells of a plain triangle have equal sides.
   void note_borders(int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen)
   {
     bool& meets = found_.meets_border[1 - body];

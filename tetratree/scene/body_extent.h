@@ -183,8 +183,8 @@ struct alignas(32) Body_place {
 /// A step of a body from one pose to the next.
 struct Body_step {
   std::array<double, 3> at;  ///< the centre's image under the next pose; all steps round it alike
-  /// Upper bound of |(q - at) - (p - at before)| for the images p and q of any point of the body; not finite where
-  /// there is no bound.
+  /// Upper bound of |(q - at) - (p - at before)| for the images p and q of any point of the body. It is not finite
+  /// where there is no bound.
   double turned;
 };
 

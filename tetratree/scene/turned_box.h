@@ -39,8 +39,8 @@ struct Turned_box {
 
 /// Upper bounds of errors of axes and centres (verify/proofs/scene_proofs.h).
 ///
-/// - `turned_rounding`: error of an extent as a fraction of the sum of extents, since axes are not quite at right
-///   angles and are rounded to float.
+/// - `turned_rounding`: error of an extent as a fraction of the sum of extents. Axes are not quite at right angles and
+///   are rounded to float.
 /// - `turned_centre_rounding`: relative error of a centre in float.
 /// - `most_skewed`: upper bound of the cosine between two columns of a pose.
 inline constexpr double turned_rounding = 0x1p-20, turned_centre_rounding = 0x1p-22, most_skewed = 0x1p-24;

@@ -43,11 +43,11 @@ struct Campaign : Sizes {
 std::uint64_t case_count(const Campaign& campaign);
 
 /// Judges all subjects on all cases, on all cores, and adds the findings to the database (schema: campaign_schema.h).
-/// It resumes: cases of this seed that are in the database are not asked again, after a stop or a kill, with more cases
-/// or with other subjects. The rows depend on the campaign only, not on threads, shards or interruptions, except in the
-/// table `time`, and unless a program is too slow. `done` is called with the number of cases just done or found, from
-/// several threads, one at a time. Throws Truths_disagree; covering::Input_error when the database cannot be used, or
-/// knows a subject by another command or program.
+/// It resumes. Cases of this seed that are in the database are not asked again. That is so after a stop or a kill, with
+/// more cases or with other subjects. The rows depend on the campaign only, not on threads, shards or interruptions,
+/// except in the table `time`, and unless a program is too slow. `done` is called with the number of cases just done or
+/// found, from several threads, one at a time. Throws Truths_disagree; covering::Input_error when the database cannot
+/// be used, or knows a subject by another command or program.
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done);
 
 /// Opens a campaign's database for writing; creates it if it does not exist. Throws covering::Input_error, and changes

@@ -12,22 +12,23 @@ namespace tetracone::verify {
 /// seed, and the command line `again`, which repeats the whole campaign.
 ///  - done: how many cases of a batch a subject has been asked; the subject 'truth' stands for the truths.
 ///  - tally: answers by subject, question (or predicate) and distance to degeneracy.
-///    Each answer is counted once on each axis: 'rho' (bins of log2 of the relative determinant) and 'ulps' (bins of
-///    log2 of the distance in ulps). `bin` is the floor, exactly_degenerate where the distance is 0, not_near where no
-///    determinant was near. False positive: higher than the truth; false negative: lower. not_asked: the subject does
-///    not take such input; failures: crash, hang or exception. `poses` separates poses of doubles from poses with a
-///    fraction, which kernels and libraries of doubles cannot be given. At the levels 'features', 'contacts', 'rays'
-///    and 'scenes' (there for a frame's pairs) an answer is a list, and the truth is the list's length. An answer that
-///    lacks elements counts as its number of right ones, which is lower. An answer with more elements counts as its
-///    length, which is higher. At the level 'distances' an answer is its number of right statements, and the truth is
-///    the number of statements. At the level 'motions' the questions 'surface' and 'solid' are whether bodies meet.
-///    'surface time' and 'solid time' are asked where both truth and answer say that they meet: 0 for the exact time,
-///    -1 for an earlier, 1 for a later one. At the level 'relations' the question 'relation' is the number of one of
-///    the eight, 'dimension' that of the contact, and 'overlap' the number of right statements about the overlap.
+///    Each answer is counted once on each of two axes. Axis 'rho' has bins of log2 of the relative determinant, and
+///    'ulps' has bins of log2 of the distance in ulps. `bin` is the floor, exactly_degenerate where the distance is 0,
+///    not_near where no determinant was near. False positive: higher than the truth; false negative: lower. not_asked:
+///    the subject does not take such input; failures: crash, hang or exception. `poses` separates poses of doubles from
+///    poses with a fraction, which kernels and libraries of doubles cannot be given. At the levels 'features',
+///    'contacts', 'rays' and 'scenes' (there for a frame's pairs) an answer is a list, and the truth is the list's
+///    length. An answer that lacks elements counts as its number of right ones, which is lower. An answer with more
+///    elements counts as its length, which is higher. At the level 'distances' an answer is its number of right
+///    statements, and the truth is the number of statements. At the level 'motions' the questions 'surface' and 'solid'
+///    are whether bodies meet. 'surface time' and 'solid time' are asked where both truth and answer say that they
+///    meet: 0 for the exact time, -1 for an earlier, 1 for a later one. At the level 'relations' the question
+///    'relation' is the number of one of the eight, and 'dimension' is that of the contact. The question 'overlap' is
+///    the number of right statements about the overlap.
 ///  - truth: cases by question, with the number of positive answers and the number also known by construction.
 ///    Each is the answer of both truths. At the level 'motions' the second truth does not decide all; there
-///    by_construction counts those that it decides. At the level 'relations' the questions are the eight relations, and
-///    the second truth is the family's count, or the volumes of bodies with few faces.
+///    by_construction counts those that it decides. At the level 'relations' the questions are the eight relations. The
+///    second truth is the family's count, or the volumes of bodies with few faces.
 ///  - wrong: the wrong answers among the first `kept_one_by_one` cases of each family, one by one.
 ///  - failure: how subjects failed, how often, and their message the first time, on the case with the number `first`. A
 ///    program's message is its last line of standard error, which may differ in another run.
@@ -39,11 +40,12 @@ namespace tetracone::verify {
 ///  - command: the command line of each subject that is an external program.
 ///  - hello: what such a program says of itself, and the digest of its files.
 ///  - declined: among the first `kept_one_by_one` cases of each family, those that subjects that are not ours were not
-///    asked, and why: "declined" by the subject, "not taken" by its hello, or "too slow".
+///    asked. The reason is "declined" by the subject, "not taken" by its hello, or "too slow".
 ///  - skipped: the number of lines that such a program wrote and that are not for us.
-///  - time: nanoseconds of n answers, on this machine in this run. making: until the bodies are ready, which are made
-///    anew for each question of the levels 'object', 'features', 'contacts' and 'distances'; asking: from then to the
-///    answer. Where making is NULL, asking includes it. An external program has a row where it reports its own time.
+///  - time: nanoseconds of n answers, on this machine in this run. `making` is until the bodies are ready. They are
+///    made anew for each question of the levels 'object', 'features', 'contacts' and 'distances'. `asking` is from then
+///    to the answer. Where making is NULL, asking includes it. An external program has a row where it reports its own
+///    time.
 inline constexpr int exactly_degenerate = -9999, not_near = 9999;
 inline constexpr std::uint64_t kept_one_by_one = 200;
 inline constexpr const char *of_doubles = "doubles", *with_fractions = "fractions";
@@ -87,8 +89,8 @@ CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject T
 /// schema. Another version wrote it; this one neither continues it nor merges shards from it.
 void require_columns_of_schema(Database& database);
 
-/// True when the schema `in` of the database ("main", or an attached one) has the tables hello, declined and skipped,
-/// which older versions did not write.
+/// True when the schema `in` of the database has the tables hello, declined and skipped, which older versions did not
+/// write. The schema is "main", or an attached one.
 bool knows_hello(Database& database, const std::string& in = "main");
 
 }  // namespace tetracone::verify

@@ -19,7 +19,7 @@ class Database {
   enum class Mode { read, write };
 
   /// Opens the file. `Mode::write` creates it if needed, in write-ahead mode, so that a killed process leaves only
-  /// whole transactions; it waits for another process that does so too. `Mode::read` needs only the file itself. Throws
+  /// whole transactions. It waits for another process that does so too. `Mode::read` needs only the file itself. Throws
   /// also when the file is no database.
   Database(const std::filesystem::path& file, Mode mode);
   ~Database();

@@ -56,10 +56,13 @@ bool holds(const Placed_body& placed, const Holder& holder, const Coordinates& x
   return detail::placed_face(placed, holder.number[0]).locate(p) != Place::outside;
 }
 
-/// An answer makes `statement_count` statements: the exact square; that the nearest points are that far apart, and lie
-/// on the named features; the rounded root, asked together with them and alone; limits at the distance, beside it and
-/// far from it. The answer's value is the number of right statements. Subjects are not asked about bodies of more than
-/// `most_faces` faces.
+/// An answer makes `statement_count` statements:
+/// - the exact square;
+/// - that the nearest points are that far apart, and lie on the named features;
+/// - the rounded root, asked together with them and alone;
+/// - limits at the distance, beside it and far from it.
+/// The answer's value is the number of right statements. Subjects are not asked about bodies of more than `most_faces`
+/// faces.
 class Distance_page : public Two_questions<levels::Distances> {
  public:
   auto relations() const { return distance_relations(); }

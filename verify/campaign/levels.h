@@ -36,9 +36,9 @@ auto pointers(const Families&... lists)
   return all;
 }
 
-/// The levels of campaigns. A level has its types, its name in the database, its families and subjects, the cases that
-/// one thread is given at once, and a judge. The judge is the level's page: `..._level.cpp`, or for several levels
-/// `list_levels.cpp` and `probe_levels.cpp`.
+/// The levels of campaigns. A level has its types, its name in the database, its families and subjects, and a judge. It
+/// also has the number of cases that one thread is given at once. The judge is the level's page: `..._level.cpp`, or
+/// for several levels `list_levels.cpp` and `probe_levels.cpp`.
 namespace levels {
 
 struct Predicates : Predicate_level {

@@ -45,10 +45,12 @@ bool is_root_sum(const std::array<double, 2>& bounds, const std::vector<kernel::
 }
 
 /// An answer says which relation holds, of which dimension the contact is, and how much the solids overlap. The last
-/// are `overlap_statements`: the exact volume and centroid, and the nearest doubles and the bounds of these four
-/// numbers; the contact vector and the nearest doubles; the bounds of the contact area. The value is the number of
-/// those that are right. The truth says of each relation whether it is the case's.
-/// Subjects are not asked about bodies of more than `most_faces` faces.
+/// are `overlap_statements`:
+/// - the exact volume and centroid, and the nearest doubles and the bounds of these four numbers;
+/// - the contact vector and the nearest doubles;
+/// - the bounds of the contact area.
+/// The value is the number of those that are right. The truth says of each relation whether it is the case's. Subjects
+/// are not asked about bodies of more than `most_faces` faces.
 class Relation_page : public Page<levels::Relations> {
  public:
   std::array<Question, 1> questions(const Object_case&) const { return {Question::solid}; }

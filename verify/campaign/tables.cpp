@@ -110,8 +110,8 @@ constexpr Table all[] = {
      "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes, again FROM run ORDER BY 1"},
 };
 
-/// Adds two tables that the database does not hold: temp.family with the families, and temp.sweep with the parameter of
-/// each case that is kept one by one.
+/// Adds two tables that the database does not hold. The table temp.family has the families, and temp.sweep has the
+/// parameter of each case that is kept one by one.
 void add_families(Database& database)
 {
   database.run(

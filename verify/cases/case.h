@@ -34,9 +34,9 @@ enum class Predicate {
                      ///< degenerate
   solid,          ///< where p is in the solid bounded by the faces of v0 v1 v2 v3, by the covering whose origin is q:
                   ///< 1 inside, 0 on the surface, -1 outside
-  classification  ///< 1 when the closed triangle p q r meets the closed cone from v0 through v1, v2, v3, that is,
-                  ///< whether JS08 classifies the tetrahedron v0 p q r in it (v0 in the plane of either triangle: not
-                  ///< asked)
+  classification  ///< 1 when the closed triangle p q r meets the closed cone from v0 through v1, v2, v3. Then JS08
+                  ///< classifies the tetrahedron v0 p q r in it. It is not asked with v0 in the plane of either
+                  ///< triangle.
 };
 inline constexpr std::array all_predicates = {Predicate::orientation, Predicate::tetra_cone,
                                               Predicate::tetrahedron, Predicate::segment_triangle,
@@ -50,8 +50,8 @@ inline const char* to_string(Predicate predicate)
   return names[static_cast<std::size_t>(predicate)];
 }
 
-/// Seven points on which every predicate can be asked: v0 v1 v2 v3 of body A under pose_a, and p q r of body B under
-/// pose_b.
+/// Seven points on which every predicate can be asked. Body A under pose_a has v0 v1 v2 v3, and body B under pose_b has
+/// p q r.
 struct Predicate_case {
   std::array<kernel::Vertex, 4> v;
   kernel::Vertex p, q, r;

@@ -43,9 +43,13 @@ struct Case_file {
 bool is_case_name(const std::filesystem::path& path);
 
 /// Reads a case file. Throws covering::Input_error, with the line, for anything that is not exactly of the form that
-/// `to_json` writes, or cannot be asked. These are missing or unknown fields, wrong types, numbers that are not finite,
-/// coordinates that are no doubles, vertex numbers out of range, faces that are not exactly planar, det M = 0, and an
-/// open surface asked for its solid.
+/// `to_json` writes, or cannot be asked. These are:
+/// - missing or unknown fields, and wrong types;
+/// - numbers that are not finite, and coordinates that are no doubles;
+/// - vertex numbers out of range;
+/// - faces that are not exactly planar;
+/// - det M = 0;
+/// - an open surface asked for its solid.
 Case_file read_case(const std::filesystem::path& path);
 
 /// Reads a case from a text; `name` stands for the file in messages.

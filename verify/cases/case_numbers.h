@@ -23,8 +23,8 @@ Case_numbers numbers_of(const Predicate_case& c);
 Object_case with_numbers(const Object_case& c, const Case_numbers& numbers);
 Predicate_case with_numbers(const Predicate_case& c, const Case_numbers& numbers);
 
-/// Returns the length of a number: its binary digits from the first to the last one that is set, plus the digits of the
-/// last one's exponent. It is 0 for 0, 1 for 1, 2 for 3 and for 1/2; for a fraction, the digits of both parts.
+/// Returns the length of a number. It is its binary digits from the first to the last one that is set, plus the digits
+/// of the last one's exponent. It is 0 for 0, 1 for 1, 2 for 3 and for 1/2; for a fraction, the digits of both parts.
 std::size_t bits(double x);
 std::size_t bits(const kernel::Rational& x);
 

@@ -151,8 +151,8 @@ class Builder {
     faces_.push_back(std::move(face));
   }
 
-  /// Where each loop runs straight on through a vertex, the edges on either side of it cancel one another in pairs, and
-  /// so do the edges without it.
+  /// Leaves out vertices through which each loop runs straight on. The edges on either side of one cancel one another
+  /// in pairs, and so do the edges without it.
   void leave_out_straight_vertices()
   {
     std::vector<bool> is_corner(polyhedron_.vertices.size());

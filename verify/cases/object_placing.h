@@ -65,8 +65,8 @@ struct Touching {
   Body a, b;
   Pose relative;           ///< of B
   Exact_vector apart;      ///< the direction in which B leaves A
-  bool separated = false;  ///< all of A is on one side of a plane that is normal to `apart`, all of B on the other, and
-                           ///< they share a point of it
+  bool separated = false;  ///< true when all of A is on one side of a plane that is normal to `apart`, and all of B is
+                           ///< on the other. They share a point of it then.
 };
 
 /// Applies `turn`, then the translation that puts the lowest vertex of B along `normal` on `point`: B is on the upper

@@ -29,7 +29,7 @@ inline Rotation rotation(double w, double x, double y, double z)
 }
 
 /// Seeded random numbers: xoshiro256** by Blackman and Vigna, started by splitmix64. It uses only integer arithmetic,
-/// +, *, / and square roots, so that a seed gives the same scene on every machine; the standard's distributions and
+/// +, *, / and square roots, so that a seed gives the same scene on every machine. The standard's distributions and
 /// libm do not.
 class Random {
  public:

@@ -22,9 +22,12 @@ bool is_scene_name(const std::filesystem::path& path);
 /// An open scene file. Its models and bodies are read at once, each frame on demand.
 class Scene_file {
  public:
-  /// Throws covering::Input_error, with the line, for anything not of the form: missing or unknown names, wrong types,
-  /// bodies without a model, numbers out of range, a file of frames that is no whole number of frames. A pose has 12
-  /// numbers, or 7 if `is_rigid`: a quaternion w x y z and a translation.
+  /// Throws covering::Input_error, with the line, for anything not of the form:
+  /// - missing or unknown names, and wrong types;
+  /// - bodies without a model;
+  /// - numbers out of range;
+  /// - a file of frames that is no whole number of frames.
+  /// A pose has 12 numbers, or 7 if `is_rigid`: a quaternion w x y z and a translation.
   explicit Scene_file(const std::filesystem::path& path, bool is_rigid = false);
 
   struct Model {

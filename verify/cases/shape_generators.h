@@ -74,9 +74,9 @@ Polyhedron complex_one();
 /// (not convex), a sunk pyramid and a raised one. Genus 1; five faces with six holes. Centred near 0, radius 1.
 Polyhedron complex_two();
 
-/// The union of the unit cubes (x, y, z) + [0, 1]^3 for which bits[x + nx (y + ny z)] is set, as unit squares between
-/// set and unset cubes. Cubes that touch only in an edge or a corner share its vertices: the surface is closed, but no
-/// manifold. Requires nx ny nz bits.
+/// The union of the unit cubes (x, y, z) + [0, 1]^3 for which bits[x + nx (y + ny z)] is set. Its faces are unit
+/// squares between set and unset cubes. Cubes that touch only in an edge or a corner share its vertices: the surface is
+/// closed, but no manifold. Requires nx ny nz bits.
 Polyhedron voxel_solid(const std::vector<bool>& bits, int nx, int ny, int nz);
 
 // Triangle meshes of any size. Equal arguments give equal meshes on every machine.
@@ -103,7 +103,7 @@ std::optional<Polyhedron> demo_mesh(const std::filesystem::path& folder, const s
 /// Simplifies the mesh to exactly `faces` triangles by edge collapses in the order of Lindstrom and Turk's cost (CGAL's
 /// Surface_mesh_simplification). The result is deterministic, closed and of the same genus. It is a model of its own
 /// and may intersect itself. Throws std::invalid_argument when the mesh is not a closed manifold of at least `faces`
-/// triangles, when `faces` is odd, or when no further edge can be collapsed.
+/// triangles, or when `faces` is odd. It also throws it when no further edge can be collapsed.
 Polyhedron decimate(const Polyhedron& mesh, std::size_t faces);
 
 /// Returns the polyhedron moved and scaled, with rounding, so that `centroid` is about 0 and `radius` about 1.

@@ -53,8 +53,8 @@ struct Shape {
   Exact_vector vertex(Index v) const { return exact(body->vertices[v]); }
 };
 
-/// Blocks of few flat faces, of size about 1, on a grid of 1/64: boxes, a tetrahedron, an octahedron, a roof, an L, an
-/// arrowhead, faces with holes, a cavity, voxel solids with edges of four faces.
+/// Blocks of few flat faces, of size about 1, on a grid of 1/64. They are boxes, a tetrahedron, an octahedron, a roof,
+/// an L, an arrowhead, and faces with holes. Others are a cavity and voxel solids with edges of four faces.
 const std::vector<Shape>& blocks();
 inline constexpr std::size_t unit_cube_block = 0, tetrahedron_block = 2, roof_block = 4, tunnel_block = 7,
                              complex_block = 8, cavity_block = 10;

@@ -87,7 +87,7 @@ Moving_pair small_integers(Random& random, Moving_kind kind)
   return pair_of(kind, [&] { return integer(random, 2); });
 }
 
-/// The differences are triangular: the volume is the product of three linear forms with chosen roots, so it has simple,
+/// The differences are triangular. The volume is the product of three linear forms with chosen roots, so it has simple,
 /// double and triple roots, at the ends too.
 Moving_pair factored(Random& random, Moving_kind kind)
 {

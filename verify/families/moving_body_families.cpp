@@ -249,8 +249,8 @@ Rational fraction(Random& random, int exponent)
   return Rational(power_of_two(exponent) * (2 * below(random, 9) + 1) / 3);
 }
 
-/// The families above with each body's coordinates times a power of two that its poses undo by fractions, and all of
-/// space shrunk; quaternions are of fractions that round to denormals, or to 0.
+/// The families above, with each body's coordinates times a power of two that its poses undo by fractions. All of space
+/// is shrunk, and quaternions are of fractions that round to denormals, or to 0.
 Moving_bodies tiny_fractions(Random& random)
 {
   constexpr std::array makes = {anywhere, grazing,   double_contact, tunnelling, nested,   at_end,
@@ -287,8 +287,8 @@ Moving_bodies tiny_fractions(Random& random)
   return c;
 }
 
-/// A plate of many triangles that lands on a box or on its like, flat or tilted by little: straight down, aslant, in
-/// stretched coordinates, or while it turns about the normal.
+/// A plate of many triangles that lands on a box or on its like, flat or tilted by little. It lands straight down,
+/// aslant, in stretched coordinates, or while it turns about the normal.
 Moving_bodies landings(Random& random)
 {
   // Truths compare all features: few triangles on both sides.

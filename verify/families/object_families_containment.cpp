@@ -235,7 +235,7 @@ Cells massive_cells(int n, bool hollow)
 }  // namespace
 
 /// B's grid is off A's by half units. Two boxes of such grids that meet do so in a corner of one of them or of their
-/// common part: in a point of the doubled grid. So its points decide: in both solids, on both surfaces.
+/// common part. That is a point of the doubled grid. So its points decide: in both solids, on both surfaces.
 Object_case voxels(Random& random, double parameter)
 {
   const int n = static_cast<int>(parameter);

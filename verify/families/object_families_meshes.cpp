@@ -33,8 +33,8 @@ const Body& other_mesh(Random& random, std::size_t triangles)
   return mesh(random.bits() % 2 == 0 && triangles <= most_in_both ? triangles : 1000, kind);
 }
 
-/// A body of the size of one triangle of A, its lowest vertex on the inside of that triangle: what else they share
-/// there is for the truth, and only a few elements of either tell.
+/// A body of the size of one triangle of A, its lowest vertex on the inside of that triangle. The truth finds what else
+/// they share there. Only a few elements of either decide.
 Object_case on_one_triangle(Random& random, const Body& a, const Body& b)
 {
   const Index f = Index(random.bits() % a->face_count());
@@ -64,8 +64,8 @@ Object_case in_itself(Random& random, const Body& a, const Body& b, double scale
 
 }  // namespace
 
-/// Mostly on the inside of one triangle, where an answer hangs on one leaf; or in extreme vertices, or one inside the
-/// other: far or so near that a descent ends in most leaves.
+/// Mostly the bodies meet on the inside of one triangle, where an answer hangs on one leaf. Else they meet in extreme
+/// vertices, or one is inside the other, far or so near that a descent ends in most leaves.
 Object_case many_faces(Random& random, double parameter)
 {
   const auto triangles = static_cast<std::size_t>(parameter);

@@ -158,9 +158,9 @@ Object_case extreme_exponents(Random& random, double parameter)
                 {exponent, exponent, exponent}, 0, common);
 }
 
-/// Needles and plates: boxes about the origin, each stretched along its axes by its own powers of two and then turned
-/// about one of them by an eighth, or not; they touch or pierce one another along that axis. Their axes differ by more
-/// than a double's square can hold.
+/// Needles and plates: boxes about the origin, each stretched along its axes by its own powers of two. Each is then
+/// turned about one axis by an eighth, or not. They touch or pierce one another along that axis. Their axes differ by
+/// more than a double's square can hold.
 static std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
 {
   const int axis = integer(random, 0, 2), u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -247,8 +247,8 @@ static Touching in_the_middle(Random& random, const Shape& a, const Shape& b)
   return {a.body, b.body, moved(composed(scaling(0x1p-5), any_turn(random)), middle), middle};
 }
 
-/// Blocks whose vertices are stretched along their axes by up to 2^size, and whose poses undo that before a turn, a
-/// contact or a place inside, and a map of both.
+/// Blocks whose vertices are stretched along their axes by up to 2^size. Their poses undo that before a turn, a contact
+/// or a place inside, and a map of both.
 static std::vector<Object_case> stretched_blocks(Random& random, int size, int count)
 {
   const auto exponents = [&] {
@@ -299,8 +299,8 @@ std::vector<Object_case> wild_run(Random& random, double parameter, int count)
 
 Object_case wild(Random& random, double parameter) { return wild_run(random, parameter, 1).front(); }
 
-/// Blocks with coordinates up to about 2^parameter, by one power of two or one of each axis, and similarities of
-/// fractions that undo it: as large as 1, far smaller, or smaller than all doubles but 0.
+/// Blocks with coordinates up to about 2^parameter, by one power of two or one of each axis. Similarities of fractions
+/// undo it. The blocks are then as large as 1, far smaller, or smaller than all doubles but 0.
 Object_case tiny_fractions(Random& random, double parameter)
 {
   const int size = static_cast<int>(parameter);

@@ -378,7 +378,7 @@ Scene_case wild(Random& random, double size)
   });
 }
 
-/// Models with coordinates up to about 2^size, scaled by one power of two or by one per axis, with their origins among
+/// Models with coordinates up to about 2^size, scaled by one power of two or by one per axis. Their origins are among
 /// the vertices or far away. Poses of fractions bring them back onto a grid that is turned and far smaller.
 Scene_case tiny_fractions(Random& random, double size)
 {

@@ -34,8 +34,8 @@ inline covering::Polyhedron fuzz_body(Doubles& doubles)
   return body;
 }
 
-/// A pose of any twelve entries; in one case of four they are divided by 3 times a power of two, whose nearest doubles
-/// may all be 0. det M may be 0.
+/// A pose of any twelve entries. In one case of four they are divided by 3 times a power of two. Their nearest doubles
+/// may all be 0 then. det M may be 0.
 inline kernel::Pose fuzz_pose(Doubles& doubles)
 {
   std::array<double, 12> entries;

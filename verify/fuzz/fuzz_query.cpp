@@ -1,6 +1,6 @@
-// Makes two small bodies and up to eight pairs of poses from raw bytes. The answers of the fast tree and the paper's
-// tree, with and without the memory of the last pose, must be those of all pairs of elements in rational arithmetic. No
-// box of a scene may separate bodies that meet.
+// Makes two small bodies and up to eight pairs of poses from raw bytes. The fast tree and the paper's tree answer, with
+// and without the memory of the last pose. Their answers must be those of all pairs of elements in rational arithmetic.
+// No box of a scene may separate bodies that meet.
 
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/memory/pair_certificate.h"

@@ -1,4 +1,4 @@
-// Changes any words of a saved body and repairs its checksum. The result must be refused with an Error, or its tree
+// Changes any words of a saved body and repairs its checksum. The result must be refused with an Error. Else its tree
 // must answer as all pairs of elements of its vertices and faces do in rational arithmetic.
 
 #include "tetracone/kernel/number/error.h"

@@ -22,15 +22,15 @@ struct Distance {
 ///  - segment-triangle: p and q against the plane of v1 v2 v3, and the line pq against the lines of the three edges;
 ///  - solid: p and the covering's origin q against the four planes, p against the six inner ones, through q and an
 ///    edge;
-///  - classification: the two volumes, p q r against the cone's planes, and v1 v2 v3 against the planes through v0 and
-///    the edges of p q r.
+///  - classification: the two volumes, p q r against the cone's planes, and v1 v2 v3 against other planes. These go
+///    through v0 and the edges of p q r.
 ///
 /// The largest coordinate is taken over the named points.
 Distance distance(Predicate predicate, const Predicate_case& c);
 
-/// The distance over pairs of an edge of one body and a face of the other whose boxes meet when grown by 2^-20 of their
-/// longest side. It takes the ends of the edge against the face's plane. Where they are not strictly on one side of it,
-/// it also takes the edge's line against the lines of the face's edges. A face that spans no plane is exactly
+/// The distance over pairs of an edge of one body and a face of the other. Their boxes meet when grown by 2^-20 of
+/// their longest side. It takes the ends of the edge against the face's plane. Where they are not strictly on one side
+/// of it, it also takes the edge's line against the lines of the face's edges. A face that spans no plane is exactly
 /// degenerate. Only the first 2000 pairs of each direction are taken, in the order of the faces and then of the edges.
 /// The largest coordinate is taken over all placed vertices.
 Distance distance(const Object_case& c);

@@ -77,9 +77,9 @@ inline bool meets_loops(const Integer_vector& a, const Integer_vector& b, const 
 /// Returns the winding number about a point off the surface. It sums over the faces above the point the winding numbers
 /// of their loops about it, seen from above. The point is moved by (e, e^2, 0), so that the ray along +z meets no loop.
 /// Such a small move changes no winding number off the surface, nor the side of a plane that does not contain the
-/// point. The loops of a face whose plane contains the point do not wind about it, since it is not on the face, nor
-/// about any point near it. It does not matter on which side they are counted. Vertical faces are seen as lines and
-/// have winding number 0.
+/// point. A face whose plane contains the point does not hold it. So its loops wind neither about it nor about any
+/// point near it. It does not matter on which side they are counted. Vertical faces are seen as lines and have winding
+/// number 0.
 inline int winding(const Integer_body& body, const std::vector<Rank_box>& face_boxes, const Integer_vector& p,
                    const Rank_box& at)
 {

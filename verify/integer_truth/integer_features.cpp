@@ -41,9 +41,9 @@ Contact in_one_point(const Integer_body& body, Index f, const Integer_vector& n,
   return turns.winding == 0 ? Contact::none : end ? Contact::vertex_face : Contact::edge_face;
 }
 
-/// An edge ab in the plane of the face, or of any place where the face is on a line. On the edge, in shares of it from
-/// a: one with two different points on the loops overlaps; one with a single such point, or none, does where an end off
-/// the loops is inside.
+/// An edge ab in the plane of the face, or of any place where the face is on a line. Points on the edge are given by
+/// their shares of it from a. An edge with two different points on the loops overlaps. One with a single such point, or
+/// none, does where an end off the loops is inside.
 Contact in_one_plane(const Integer_vector& a, const Integer_vector& b, const Integer_body& body, Index f,
                      const std::optional<Integer_vector>& n)
 {

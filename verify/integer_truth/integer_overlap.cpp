@@ -87,8 +87,8 @@ class Sweep {
   static Fraction_point row(const Swept_face& face) { return {face.normal[0], face.normal[1], face.normal[2]}; }
   static mpq_class right(const Swept_face& face) { return dot(face.normal, face.body->corner(face.number)); }
 
-  /// Returns the x of all vertices of the surfaces' arrangement: of edges' ends, of points where edges meet each other
-  /// or faces, and of points of three faces.
+  /// Returns the x of all vertices of the surfaces' arrangement. They are edges' ends, points where edges meet each
+  /// other or faces, and points of three faces.
   std::vector<mpq_class> critical_x() const
   {
     std::vector<std::pair<Integer_vector, Integer_vector>> edges;

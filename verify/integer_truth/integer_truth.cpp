@@ -29,9 +29,9 @@ bool meets_face(const Integer_vector& a, const Integer_vector& b, const Integer_
   return meets_loops(a, b, body, f);
 }
 
-/// Some edge of the one meets some face of the other. When this holds neither way, the surfaces share no point: had two
-/// faces one in common, then what they share, being closed and bounded, would end on a loop of one of them, at a point
-/// of the other.
+/// Some edge of the one meets some face of the other. When this holds neither way, the surfaces share no point. Had two
+/// faces one in common, what they share would be closed and bounded. So it would end on a loop of one of them, at a
+/// point of the other.
 bool edges_meet_faces(const Integer_body& with_edges, const std::vector<Rank_box>& edge_boxes,
                       const Integer_body& with_faces, const std::vector<Rank_box>& face_boxes)
 {

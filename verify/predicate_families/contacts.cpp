@@ -209,7 +209,8 @@ Predicate_case coplanar_sharing(Random& random, double what)
 Predicate_case t_junctions(Random& random, double k)
 {
   return settled([&]() -> std::optional<Predicate_case> {
-    // B's neighbour of the edge v1 v2 has it in two: p is where, q its end or on the other side of p, r a corner.
+    // B's neighbour of the edge v1 v2 has it in two. It is divided at p, q is its end or on the other side of p, and r
+    // is a corner.
     const int bits = static_cast<int>(k);
     const Tetra v = tetrahedron_for(random, bits);
     Scene scene{v, element_point(random, v, 2, bits), v[1], {}};

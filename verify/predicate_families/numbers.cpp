@@ -213,8 +213,8 @@ Predicate_case wild(Random& random, double exponents)
   return any_contact(random, f);
 }
 
-/// Bodies up to 2^exponent large by one power of two, or along each axis by one of its own; their poses undo that, and
-/// then both are under a similarity of fractions that may be smaller than all doubles but 0.
+/// Bodies up to 2^exponent large by one power of two, or along each axis by one of its own. Their poses undo that. Then
+/// both are under a similarity of fractions that may be smaller than all doubles but 0.
 Predicate_case tiny_fractions(Random& random, double exponent)
 {
   const int size = static_cast<int>(exponent);

@@ -60,8 +60,8 @@ Point mantissa_point(Random& random, int bits);
 /// Four integer corners whose determinant is at least size^3 / 4, and not 0. The second is the origin when `anchored`.
 Tetra tetrahedron(Random& random, int size, bool anchored = false);
 
-/// A tetrahedron with the origin on its boundary: at v1, on the edge v1 v2 or in the face v1 v2 v3, at coordinates of
-/// few bits.
+/// A tetrahedron with the origin on its boundary. It is at v1, on the edge v1 v2 or in the face v1 v2 v3, at
+/// coordinates of few bits.
 Tetra tetrahedron_at_origin(Random& random, int size = 8);
 
 /// A tetrahedron with v1 = 0 on which points with `bits` binary places are doubles: few bits of its own when they need
@@ -100,7 +100,7 @@ Point outward(Random& random, const Tetra& v, const Point& x, int grid = usual_g
 /// 2^-grid.
 void complete(Random& random, Scene& scene, int grid = usual_grid);
 
-/// Leaves p where it is or moves it clearly out of v or into it; says by how many ulps it is to be nudged at last.
+/// Leaves p where it is or moves it clearly out of v or into it. Returns by how many ulps it is to be nudged at last.
 int moved_aside(Random& random, Scene& scene, int grid = usual_grid);
 
 /// Half of the time as they are, else in any order: then another face, edge or vertex is the one of v1 v2 v3.

@@ -14,8 +14,8 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// Returns the error of a determinant of sheared coordinates of at most B, relative to B + E: an upper bound over all B
-/// of at most 2.
+/// Returns the error of a determinant of sheared coordinates of at most B, relative to B + E. It is an upper bound over
+/// all B of at most 2.
 inline Rational turn_over_slack()
 {
   using Probe = kernel::Cone_probe;
@@ -39,8 +39,8 @@ inline Rational error_of_sum_above(const Rational& L, const Rational& t, const R
   return kernel::Cone_probe::sum_above(e, z, e, z, e, z).error;
 }
 
-/// Returns the error of the slope of a plane at a corner of a wide cell, computed as in Cone_cells, for a normal with
-/// components of at most 8.
+/// Returns the error of the slope of a plane at a corner of a wide cell. It is computed as in Cone_cells, for a normal
+/// with components of at most 8.
 inline Rational error_of_slope()
 {
   using Cells = kernel::Cone_cells;
@@ -88,8 +88,8 @@ inline Proved_bounds cone_proofs()
   add("Local_facet::offset_error", "cone_cells.h", Facet::offset_error,
       kernel::dot(std::array{facet_normal, facet_normal, facet_normal}, corner).error, 2);
 
-  // Lattice coordinates n x / r of a point of norm r >= `core`: x has an error, r has three of it, and a quotient and a
-  // product are rounded. The third coordinate is n less the other two. No coordinate is above n.
+  // Lattice coordinates are n x / r of a point of norm r >= `core`. Here x has an error, r has three of it, and a
+  // quotient and a product are rounded. The third coordinate is n less the other two. No coordinate is above n.
   const Rational n(Cells::most), core(Cells::core);
   const auto on_lattice = [&](const Rational& of_coordinate, const Rational& least_norm) {
     const Count of_coordinates = Cells::on_lattice(Count(), Count(), Count() + Count() + Count());
@@ -99,8 +99,8 @@ inline Proved_bounds cone_proofs()
   add("Cone_cells::wide_margin", "cone_cells.h", Cells::wide_margin, 2 * on_lattice(off, core), 258);
 
   // The distance of a cut from the edge is the rounding of its coordinates. Its distance from the clip's border comes
-  // from the errors of the function's values at both ends, of at most 1 + 3 / 2^9, and from the rounding of the
-  // parameter. Five cuts follow one another.
+  // from the errors of the function's values at both ends, and from the rounding of the parameter. The values are at
+  // most 1 + 3 / 2^9. Five cuts follow one another.
   const Double exact(Rational(1), Rational(0));
   const Rational of_cut = Cells::on_edge(exact, exact, exact).error,
                  of_value = 2 * 4 * Double::rounding_of(Rational(2)) + 2 * Double::rounding_of(Rational(2)),
@@ -124,8 +124,9 @@ inline Proved_bounds cone_proofs()
   add("Cone_cells::plane_margin", "cone_cells.h", Cells::plane_margin,
       error_of_norm(4, detail::error_of_slope(), Cells::least_slope), 1.44);
 
-  // Heights of a slab: a norm times the ascent of a corner, both of directions of norm 1, whose wide cell reaches 4 of
-  // the lattice's margins beyond the octant. Where a height is at most `highest`, so is the norm times the ascent.
+  // A height of a slab is a norm times the ascent of a corner, both of directions of norm 1. The corner's wide cell
+  // reaches 4 of the lattice's margins beyond the octant. Where a height is at most `highest`, so is the norm times the
+  // ascent.
   const Rational in_wide_cell = 1 + 4 * Rational(Cells::lattice_margin);
   const Double direction(in_wide_cell, Rational(0));
   const Rational of_slope =
@@ -138,8 +139,8 @@ inline Proved_bounds cone_proofs()
                  of_doubles = 2 * 3 * off + 16 * Double::rounding_of(Rational(16));
   add("Cone_slab::margin", "cone_slab.h", Slab::margin, of_height + of_floats + of_doubles, 2.37);
 
-  // A shear is a quotient of coordinates with error `local_error`, over one of at least a third of `core`, in double
-  // and then in float; it and a corner's coordinates are at most 1.
+  // A shear is a quotient of coordinates with error `local_error`, over one of at least a third of `core`. It is
+  // rounded in double and then in float. It and a corner's coordinates are at most 1.
   const Rational of_quotient = 2 * off / (core / 3 - off) + Double::rounding_of(Rational(1));
   const Float shear = Float::rounded(Rational(1), of_quotient), coordinate = Float::rounded(Rational(1), off),
               sheared = Probe::sheared(coordinate, coordinate, shear);
@@ -157,9 +158,9 @@ inline Proved_bounds cone_proofs()
   const Float height = Float::rounded(Rational(4), off), above = coordinate - height;
   add("Cone_probe::height_error", "cone_probe.h", Probe::height_error, above.error, 1.24);
 
-  // D's error is linear in L and t, and in Z for each of them: a bound for Z = 0 and for the largest Z holds for all.
-  // One part is the rounding, which L Z bounds; the other comes from t or L, with H. Underflow is small against the
-  // least t.
+  // D's error is linear in L and t, and in Z for each of them. So a bound for Z = 0 and for the largest Z holds for
+  // all. One part is the rounding, which L Z bounds; the other comes from t or L, with H. Underflow is small against
+  // the least t.
   const Rational H(Probe::height_error), Z = above.most,
                                          least_t = Rational(Probe::turn_bound) * Rational(Probe::sheared_error),
                                          rounded = detail::error_of_sum_above(1, 0, 1, 0) * of_plane_slack;

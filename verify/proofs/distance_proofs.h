@@ -65,9 +65,10 @@ inline Proved_bounds distance_proofs()
                     std::max(below, above), u, 1.34, "rationals"});
 
   // Points of triangles whose largest coordinate R is in [1, 2): what holds there holds for every R but for underflow,
-  // which `Common_frame` has no part of. Weights are each at most 1; where their sum is, the exact one may be u more,
-  // which moves the point by as much of an edge. Two points are off in three coordinates each, the root of 3 twice; a
-  // gap by so much of |n|_1 2 R, the root of 3 times |n|_2 at most. `slack` is 4 times its sum, and is rounded.
+  // which `Common_frame` has no part of. Weights are each at most 1. Where their sum is, the exact one may be u more,
+  // which moves the point by as much of an edge. Two points are off in three coordinates each, the root of 3 twice. A
+  // gap is off by so much of |n|_1 2 R, where |n|_1 is at most the root of 3 times |n|_2. `slack` is 4 times its sum,
+  // and is rounded.
   Rational in_triangle = 0;
   constexpr int parts = 16;
   for (int k = 0; k < parts; ++k) {

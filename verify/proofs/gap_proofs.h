@@ -40,8 +40,9 @@ Number stored_coordinate(const std::vector<Number>& in)
       .one();
 }
 
-/// The gap beyond a triangle's edge, or the first component of its axis. The three numbers are the excess of the box
-/// over the edge's line, relative to the normal's length, and such components of the single box's edges 1 and 2.
+/// The gap beyond a triangle's edge, or the first component of its axis. The first number is the excess of the box over
+/// the edge's line, relative to the normal's length. The two others are such components of the single box's edges 1 and
+/// 2.
 template <bool fused, bool is_axis, class Number>
 Number beyond_edge(const std::vector<Number>& in)
 {
@@ -144,8 +145,8 @@ inline Proved_bounds gap_proofs()
                  side = std::max(fused.side, apart.side), beyond = std::max(fused.beyond, apart.beyond);
   const Rational off = (3 * component + root_3() * stored) * computed, off_along_side = off + side * computed;
 
-  // Gaps of boxes that are apart: every error counts, relative to M, which is also an upper bound of the distance of
-  // two of their points.
+  // Gaps of boxes that are apart: every error counts, relative to M. M is also an upper bound of the distance of two of
+  // their points.
   const auto gap = [&](Kind kind) {
     Rational most = 0;
     for (const Rational& share : detail::shares_of(Edges::carried, kind, defect, defect + 3 * roundoff * computed))
@@ -226,8 +227,10 @@ inline Proved_bounds gap_proofs()
   bounds.push_back({"time_rounding", "kernel/bound/obb8_sweep.h", Rational(double(kernel::time_rounding)),
                     power(1 + roundoff, 4) - 1, u, 2.02, "rationals"});
 
-  // Points are sums of axes times extents; the root halves the roundings of squares, and has two more; the product with
-  // a turn and the sum with a loss, two each; what is farthest from the middle, and a turn's product with that.
+  // Points are sums of axes times extents. These are the roundings:
+  // - 2 of the squares, which the root halves, and 2 more of the root;
+  // - 2 of the product with a turn, and 2 of the sum with a loss;
+  // - 1 of what is farthest from the middle, and 1 of a turn's product with that.
   add("radius_rounding", kernel::radius_rounding, norm * length * power(1 + roundoff, 2 + 2 + 4 + 2) - 1, u, 2.76,
       "rationals");
   add("Carried_box::centre_rounding", Carried_box::centre_rounding, root_3() * 4 * roundoff + Rational(0x1p-70), 1,

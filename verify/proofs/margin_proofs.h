@@ -106,8 +106,8 @@ inline Proved_bounds margin_proofs()
   };
 
   add("few_roundings", "kernel/number/floating_point.h", kernel::few_roundings, power(once, 100) - 1, u, 82);
-  // A box's size is rounded by two sums and a stretch, and by the product with this; then the slack of a gap, by two
-  // sums and two products.
+  // A box's size is rounded by two sums and a stretch, and by the product with this. Then the slack of a gap is rounded
+  // by two sums and two products.
   add("rounded_up", "kernel/bound/obb8.h", kernel::rounded_up - 1, power(once_in_float, 8) - 1, of_float, 2.01);
   add("box_underflow", "kernel/bound/obb8.h", kernel::box_underflow, detail::underflow_of_boxes(), 0x1p-149, 2.86e12);
 
@@ -116,8 +116,8 @@ inline Proved_bounds margin_proofs()
   add("Relative_frame::root_of_3", "kernel/bound/relative_frame.h", Frame::root_of_3,
       root_3() * (1 + Rational(Frame::similarity_defect)) * power(once, 6), 1, 1.0001);
 
-  // An apex is the nearest of its steps; corners are before a line of a box whose extents are wider than they need be
-  // by the axes' defect and a float; then the cut's lines are of extents that are stretched, by 3 floats each.
+  // An apex is the nearest of its steps. Corners are before a line of a box whose extents are wider than they need be,
+  // by the axes' defect and a float. The cut's lines are of extents that are stretched, by 3 floats each.
   add("apex_tolerance", "kernel/bound/obb8.h", kernel::apex_tolerance,
       Rational(1) / (2 * kernel::apex_steps) + Rational(kernel::axis_defect_factor) * defect +
           8 * Rational(of_float) * once_in_float,

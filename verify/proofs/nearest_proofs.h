@@ -10,8 +10,8 @@
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/proof.h"
 
-/// The constants by which the nearest pair of elements is found: the common frame of two bodies, limits and distances
-/// in it, and directions that decide without exact numbers.
+/// The constants by which the nearest pair of elements is found. They are those of the common frame of two bodies, of
+/// limits and distances in it, and of directions that decide without exact numbers.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -63,8 +63,8 @@ inline Proved_bounds nearest_proofs()
                       error = (number * row + number * way + number * number) * number;
   add("Common_frame::sum_rounding", of_frame, Frame::sum_rounding,
       1 / std::min(error.least(u), (way * number).least(u)) - 1, unit, 2.29);
-  // Three products of numbers of at most 1; and entries of a pose that are rounded where they underflow, times a unit
-  // and the power of two that leads to the frame, both at most 2^200.
+  // Three products of numbers of at most 1 underflow. So do a pose's entries, times a unit and the power of two that
+  // leads to the frame, both at most 2^200.
   using Double = Range_number<Double_range>;
   const Double point(1), map_entry(1, Rational(0x1p-1074) / 2 * Rational(0x1p400));
   add("Common_frame::underflow", of_frame, Frame::underflow,
@@ -73,8 +73,8 @@ inline Proved_bounds nearest_proofs()
   add("Common_frame::entry_rounding", of_frame, Frame::entry_rounding, root_3() * u / power(down, 4), unit, 2.32);
 
   // An entry of a row is a sum of products, each of which is below half the squares of both columns. The first column's
-  // squares count thrice at most, as |x|^2 + |x| |y| + |x| |z| does 2 |x|^2 + (|y|^2 + |z|^2) / 2; and what is left is
-  // rounded, with the sum of squares.
+  // squares count thrice at most, as |x|^2 + |x| |y| + |x| |z| does 2 |x|^2 + (|y|^2 + |z|^2) / 2. The rest is rounded,
+  // with the sum of squares.
   std::vector<Slice> squares, products;
   for (std::size_t k = 0; k < 3; ++k) {
     Slice square(9, 0), second(9, 0), third(9, 0);
@@ -127,9 +127,9 @@ inline Proved_bounds nearest_proofs()
   const std::string of_directions = "kernel/predicate/enclosed_distance.h";
   add("Enclosed_distance::direction_error", of_directions, Enclosed::direction_error,
       Rational(Enclosed::most_radii) / power(down, 6) + u / down, unit, 1.34);
-  // n . (x - p) over |n|_1: both points are off, `slack` gives 4 of `position_error`; and of their difference, of at
-  // most 2 `largest`, the direction's error, one rounding of the difference, and of a product and two sums, and those
-  // of `slack` itself.
+  // n . (x - p) over |n|_1 has these errors. Both points are off: `slack` gives 4 of `position_error`. Their difference
+  // is at most 2 `largest`. It has the direction's error, and one rounding each of the difference, a product and two
+  // sums. The roundings of `slack` itself come last.
   namespace td = kernel::triangle_distance;
   add("triangle_distance::point_rounding, of directions", "kernel/bound/triangle_distance.h", 4 * td::point_rounding,
       2 * (Rational(Enclosed::direction_error) + 4 * u) / power(down, 12), unit, 4.01);

@@ -39,8 +39,8 @@ Number gap_of_way(const std::vector<Number>& in, Frame_of frame, const Number& n
 }
 
 /// The rounding error relative to the sum of the direction's components, the centres' distances and the extents. A
-/// slice has one component of the direction, the first, which has the most roundings, and the entries that lead there
-/// from a term of the sum.
+/// slice has one component of the direction, and the entries that lead there from a term of the sum. The component is
+/// the first, which has the most roundings.
 template <bool fused>
 Rational rounding_of_way(Frame_of frame)
 {
@@ -92,8 +92,9 @@ inline Proved_bounds obb8_distance_proofs()
   bounds.push_back({"distance_rounding", file, Rational(kernel::distance_rounding),
                     std::max(of_eight, of_single_box) * computed, u, 1.59, "gappa"});
 
-  // The length of a way of such axes, by 3 times their defect of its square; a quotient of squares by 5 roundings, all
-  // halved by the root; this, the product with the stretch, and two of that.
+  // The square of the length of a way of such axes is off by 3 times their defect. A quotient of squares has 5
+  // roundings. The root halves all of these, and is rounded. The product with the stretch is rounded once, and the
+  // stretch twice.
   Rational roundings = 1;
   for (int k = 0; k < 1 + 1 + 2 + 3; ++k) roundings *= 1 + roundoff;
   const Rational length = 1 + Rational(3, 2) * carried;

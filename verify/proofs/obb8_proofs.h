@@ -16,8 +16,8 @@ namespace detail {
 /// The positions of a slice's inputs, in any arithmetic.
 using Place = Box_test<Recorded<Exact>, true>;
 
-/// The error of an axis' gap, by its four coefficients: of |single centre|, |centre|, the sum of extents, and the sum
-/// of the single box's extents.
+/// The error of an axis' gap, by its four coefficients. They are those of |single centre|, |centre|, the sum of
+/// extents, and the sum of the single box's extents.
 using Shares = std::array<Rational, 4>;
 
 template <class Arithmetic, bool fused>
@@ -26,9 +26,9 @@ std::vector<Recorded<Arithmetic>> gaps(const std::vector<Recorded<Arithmetic>>& 
   return gaps_of(Box_test<Recorded<Arithmetic>, fused>(in, edges, triangle, {*in[0].script(), "0"}), edges);
 }
 
-/// The slices of a scale: one component of it is 1, and so is component q of the first axis and, for products across
+/// The slices of a scale. One component of it is 1, and so is component q of the first axis and, for products across
 /// two, of the second. Edges lie along q; of `general` ones the others follow. A product of other components is rounded
-/// no more often than where all are the worst one, and other axes are treated by the same text.
+/// no more often than where all are the worst one. Other axes are treated by the same text.
 inline std::vector<Slice> slices_of_box(int scale, bool two_axes, Edges edges, bool triangle)
 {
   std::vector<Slice> slices;
@@ -51,8 +51,8 @@ inline std::vector<Slice> slices_of_box(int scale, bool two_axes, Edges edges, b
 /// The rounding error of the gap for each kind of axis and for a triangle's sides. Gappa bounds it for single products
 /// of the inputs; the bound is multiplied by the number of products in a gap. All inputs except the scale are
 /// components of vectors of length about 1. By Cauchy and Schwarz, the sums of their products are therefore at most 1.
-/// The number is 3 for a normal of the single box, along which the centres' distance is a sum over all three axes of
-/// the eight boxes. It is 2 for a product of two axes.
+/// The number is 3 for a normal of the single box, and 2 for a product of two axes. Along that normal, the centres'
+/// distance is a sum over all three axes of the eight boxes.
 enum class Kind { own, other, across, triangle };
 
 template <bool fused>
@@ -101,12 +101,12 @@ std::array<Shares, 4> rounding_of_gaps(Edges edges, bool triangle)
   return shares;
 }
 
-/// Returns the change of the gap of boxes that share a point, over real numbers, when axes are not orthonormal: those
-/// of the eight boxes by `d`, those of the single box by `e`.
+/// Returns the change of the gap of boxes that share a point, over real numbers, when axes are not orthonormal. The
+/// axes of the eight boxes are off by `d`, those of the single box by `e`.
 ///
 /// Along its own normal a_i, the other axes' reach is d. Another box's normal n is tried as A A^T n, which differs by 3
-/// d; the other edges reach e along it. Across, r_l a_m - r_m a_l, the eight boxes reach sqrt(2) d more, and an edge
-/// b_k reaches (a_l x a_m) . (b_j x b_k) instead of a_i . b_o.
+/// d; the other edges reach e along it. Across, r_l a_m - r_m a_l, the eight boxes reach sqrt(2) d more. An edge b_k
+/// reaches (a_l x a_m) . (b_j x b_k) instead of a_i . b_o.
 inline Shares defect_of_gap(Kind kind, Edges edges, const Rational& d, const Rational& e)
 {
   const Rational none = 0, second_order = 1 + Rational(0x1p-10);

@@ -12,8 +12,8 @@
 #include "verify/proofs/obb8_proofs.h"
 #include "verify/proofs/proof.h"
 
-/// The constants of comparisons of moving bodies with a reference: sweeps of boxes past one another, the reference of a
-/// span of time, and the front of a pair of bodies.
+/// The constants of comparisons of moving bodies with a reference. They serve sweeps of boxes past one another, the
+/// reference of a span of time, and the front of a pair of bodies.
 namespace tetracone::verify::proofs {
 
 inline Proved_bounds reference_proofs()
@@ -31,9 +31,9 @@ inline Proved_bounds reference_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
   };
 
-  // A reach is the distance s less the gap g, and a side of it that plus or less s: s is off as often as twice, and g
-  // once. Each is off by at most what its terms' roundings are, in units of M, and the slack is `gap_rounding` of that.
-  // The reach and its two sums, of at most 3 M, are rounded once each.
+  // A reach is the distance s less the gap g, and a side of it is that plus or less s. So s is off as often as twice,
+  // and g once. Each is off by at most what its terms' roundings are, in units of M, and the slack is `gap_rounding` of
+  // that. The reach and its two sums, of at most 3 M, are rounded once each.
   Rational of_gap = 0;
   for (const Kind kind : {Kind::own, Kind::other, Kind::across})
     for (const Rational& share : detail::shares_of(Edges::carried, kind, defect, defect + 3 * of_float * few))
@@ -42,19 +42,20 @@ inline Proved_bounds reference_proofs()
   add("slacks_of_sweep", of_sweeps, kernel::slacks_of_sweep,
       (3 * of_gap + 3 * 3 * of_float) * few / Rational(kernel::gap_rounding), 1, 1.42, "gappa");
 
-  // A speed below v = `least_speed` is taken for v: where a reach, of either side, is more than v, the time is beyond
-  // the span, and where it is none, the gap is one that the loss alone brings, of which `radius_rounding` leaves a part
-  // that is more than v. In between is nothing: a loss is at least `least_loss`, and sums of floats of such sizes are 0
-  // or a multiple of the last digit of the smaller. The loss holds the span's error over the scale: the largest of a
-  // span's numbers is at least 1/2 before it is divided by a binomial, of at most 20, and a scale at most sqrt(3) over
-  // a weight.
+  // A speed below v = `least_speed` is taken for v. Two cases occur:
+  // - Where a reach, of either side, is more than v, the time is beyond the span.
+  // - Where it is none, the gap is one that the loss alone brings. `radius_rounding` leaves a part of the loss that is
+  //   more than v.
+  // In between is nothing. A loss is at least `least_loss`, and sums of floats of such sizes are 0 or a multiple of the
+  // last digit of the smaller. The loss holds the span's error over the scale. The largest of a span's numbers is at
+  // least 1/2 before it is divided by a binomial, of at most 20. A scale is at most sqrt(3) over a weight.
   const Rational least_loss = Rational(Reference::errors_along) * Rational(kernel::few_roundings) / (2 * 20) / 2,
                  last_digit = least_loss * of_float * of_float,
                  spare = least_loss * Rational(double(kernel::radius_rounding)) / 2;
   add("least_speed, one over it", of_sweeps, 1 / double(kernel::least_speed), 1 / std::min(last_digit, spare), 1, 207);
 
-  // The square of a length loses what three of its squares do, and each coordinate what three products do, which count
-  // as often as their length: |x|^2 <= (|y| + l)^2 + m. The root of m is below 2^-74.
+  // The square of a length loses what three of its squares do. Each coordinate loses what three products do, which
+  // count as often as their length: |x|^2 <= (|y| + l)^2 + m. The root of m is below 2^-74.
   using Float = Range_number<Float_range>;
   const Float none(0);
   const Rational of_square = (none * none + none * none + none * none).lost(), root(0x1p-73),
@@ -67,8 +68,8 @@ inline Proved_bounds reference_proofs()
       1 - power((1 - of_float) / (1 + of_float), 1) * power(1 - of_float, 3), unit_of_float, 3.21);
 
   // M^T M is s^2 (I + E), |E_ij| <= d, s the length of the first column: |M x| >= s (1 - 3 d)^(1/2) |x|. An image of a
-  // coordinate's unit less that of the origin is off by twice the map's error in each coordinate: three columns, of
-  // three coordinates.
+  // coordinate's unit less that of the origin is off by twice the map's error in each coordinate. There are three
+  // columns, of three coordinates.
   const std::string of_front = "tetratree/memory/bvh8_front.h";
   const Rational of_error = 3 * 2 * Rational(Front::most_error);
   add("Bvh8_front::stretch_loss", of_front, Front::stretch_loss,

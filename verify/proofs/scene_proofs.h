@@ -68,8 +68,10 @@ inline Rational lost_by_box(double centre, double half)
   return (x.at - x.reach).lost() + Rational(tetratree::placed_rounding) * x.terms.lost();
 }
 
-/// Returns the underflow of a step: of both centres in three rows, and of the turning part in a sum of squares over the
-/// rows, or in one of all entries that is lengthened by up to 2; and of a root of squares that underflow.
+/// Returns the underflow of a step:
+/// - of both centres in three rows;
+/// - of the turning part in a sum of squares over the rows, or in one of all entries that is lengthened by up to 2;
+/// - of a root of squares that underflow.
 inline Rational lost_by_step(double centre, double half)
 {
   using Absolute = Range_number<Double_range>;
@@ -199,7 +201,7 @@ inline Proved_bounds scene_proofs()
   add("sum_rounding, of certificates", certificates, tetratree::sum_rounding, most_of_sum - 1, u, 1.34);
 
   // A body's box. Its own numbers are differences that were rounded twice, and then once to float, which may make them
-  // larger; what is between places is rounded once before.
+  // larger. The places' difference is rounded once before.
   const std::string body_box = "tetratree/scene/body_box.h";
   const auto gap = [](const auto& in) {
     return tetratree::less_turned(tetratree::gap_along(in[0], in[1], in[2]), in[3], in[4], in[5]);
@@ -211,8 +213,8 @@ inline Proved_bounds scene_proofs()
                               of_high = slice_errors<Relative_64>(high_side, slices_of_sum(3));
   const auto most = [&](std::initializer_list<Rational> errors) { return std::max(errors); };
   const Rational one = 1, once = 1 + Rational(u);
-  // The share of what is between, and of places: three magnitudes are added up, multiplied, and lessened by the sum's
-  // rounding of the share itself, which is the last of its terms.
+  // The share of what is between, and of places. Three magnitudes are added up, multiplied, and lessened by the sum's
+  // rounding of the share itself. That rounding is the last of its terms.
   const Rational least_slack = (one - 4 * Rational(u)) * (one - of_gap[5]);
   add("body_box_rounding, of places", body_box, tetratree::body_box_rounding,
       most({Rational(of_gap[0] * once + u), of_low[0], of_high[0]}) / least_slack, u, 2.67, "gappa");
@@ -241,8 +243,8 @@ inline Proved_bounds scene_proofs()
   add("turned_reach_rounding", turned, tetratree::turned_reach_rounding,
       2 * Rational(of_float) * once_in_float + 8 * Rational(u), of_float, 8.01);
 
-  // A point of a box with axes a_j and its point with rounded axes differ by s_j (a_j - a'_j), each with an error of
-  // `of_float` in length; so do centres. The axes are orthonormal up to the least defect.
+  // A point of a box with axes a_j and its point with rounded axes differ by s_j (a_j - a'_j). Each has an error of
+  // `of_float` in length, and so have centres. The axes are orthonormal up to the least defect.
   add("turned_rounding", turned, tetratree::turned_rounding, Rational(of_float) * once_in_float, of_float, 16.1);
   add("turned_centre_rounding", turned, tetratree::turned_centre_rounding, Rational(of_float) * once_in_float, of_float,
       4.01);

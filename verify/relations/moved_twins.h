@@ -97,8 +97,8 @@ inline std::optional<kernel::Pose> translated_along(const kernel::Pose& pose, in
   return translated(pose, d);
 }
 
-/// Moves both poses by `p` and then by a translation of up to 2^24 ulps of `scale` along each axis on which it is exact
-/// for both. False when nothing has moved.
+/// Moves both poses by `p` and then by a translation. It is up to 2^24 ulps of `scale` along each axis on which it is
+/// exact for both. False when nothing has moved.
 template <class Case>
 bool move_together(Case& c, const Signed_permutation& p, double scale, Random& random)
 {

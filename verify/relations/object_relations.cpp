@@ -173,7 +173,7 @@ std::optional<Polyhedron> with_split_edge(const Polyhedron& what, Random& random
   return std::nullopt;
 }
 
-/// True when b and d are on different sides of the line through a and c, all in one plane: then abcd is the union of
+/// True when b and d are on different sides of the line through a and c, all in one plane. Then abcd is the union of
 /// the triangles abc and acd.
 bool is_diagonal(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {

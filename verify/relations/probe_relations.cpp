@@ -27,8 +27,8 @@ Probe_case about(const Probe_case& c, Polyhedron body)
   return twin;
 }
 
-/// One and the other under a signed permutation of the axes, times a power of two and a shift that all take exactly;
-/// at least the permutation.
+/// One and the other under a signed permutation of the axes, times a power of two and a shift that all take exactly.
+/// There is at least the permutation.
 Probe_case mapped(const Probe_case& c, Random& random)
 {
   const auto p = Signed_permutation::any(random);

@@ -13,7 +13,7 @@
 /// The levels, and the relations of each, in the order of their numbers.
 ///
 /// The numbers R1 to R13 are parts of the relations' names. R12 (signs in vectors equal scalar ones) is no relation of
-/// cases: the tests of kernel/bound and tetratree/fast compare each version of the vectors with scalar arithmetic.
+/// cases. The tests of kernel/bound and tetratree/fast compare each version of the vectors with scalar arithmetic.
 namespace tetracone::verify {
 
 /// Predicates on seven points.

@@ -6,9 +6,9 @@
 
 namespace tetracone::verify {
 
-/// Returns the case with one to three small changes: a coordinate or an entry of a pose moved by some ulps, the bodies
-/// swapped, or a point moved to a point of the other body. Faces that become bent are triangulated; a closed body stays
-/// closed. The answers are unknown. Returns the case unchanged if the changes would make det M = 0.
+/// Returns the case with one to three small changes. A change moves a coordinate or an entry of a pose by some ulps, or
+/// swaps the bodies. It may also move a point to a point of the other body. Faces that become bent are triangulated; a
+/// closed body stays closed. The answers are unknown. Returns the case unchanged if the changes would make det M = 0.
 Object_case mutated(const Object_case& c, Random& random);
 Predicate_case mutated(const Predicate_case& c, Random& random);
 

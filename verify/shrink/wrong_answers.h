@@ -17,7 +17,7 @@ std::vector<Wrong> wrong_answers(const Object_case& c, kernel::Question question
 std::vector<Wrong> wrong_answers(const Predicate_case& c, Predicate predicate, int truth);
 
 /// Returns the relative position of the two placed bodies. It is "vertex-face" and the like, by the most special kind
-/// among all contacts; "nested" if only the solids share a point; "apart" if nothing does.
+/// among all contacts. It is "nested" if only the solids share a point, and "apart" if nothing does.
 std::string contact_of(const Object_case& c);
 
 /// Returns a case file of the case with its truth, all wrong subjects, and the cause. `subject` comes first, with the

@@ -32,9 +32,9 @@ inline const char* to_string(Stage stage)
 }
 
 /// Returns the stage that made the subject's answer wrong. The query is run with the subject's own first stages and
-/// exact stages after them: with none of its own, with one, with two, and so on. The stage with which the answer first
-/// differs from `truth` is to blame. The exact stages are those of `Rounded_pair`, which shares no formulation with the
-/// subject. A wrong formula is therefore blamed where it stands, as rounding is.
+/// exact stages after them. It is run with none of its own, with one, with two, and so on. The stage with which the
+/// answer first differs from `truth` is to blame. The exact stages are those of `Rounded_pair`, which shares no
+/// formulation with the subject. A wrong formula is therefore blamed where it stands, as rounding is.
 ///  - pose: the subject's rounded images of the vertices already give the wrong answer;
 ///  - classification: no leaf pair of the subject's tree contains the features that meet;
 ///  - bounding sphere, bounding tetrahedron, regular hull, and for the fast tree bounding box: the leaf pair with these

@@ -28,8 +28,8 @@ using Ray_subject = Subject_of<Running_rays>;
 /// signed sums over the whole covering by some kernels.
 std::vector<Point_subject> point_subjects();
 
-/// Subjects for rays: the library's `Body::hits` and `first_hit` of bodies triangulated and whole; and, in double, the
-/// field's usual test of each triangle by Moeller and Trumbore.
+/// Subjects for rays: the library's `Body::hits` and `first_hit` of bodies triangulated and whole. In double there is
+/// also the field's usual test of each triangle by Moeller and Trumbore.
 std::vector<Ray_subject> ray_subjects();
 
 }  // namespace tetracone::verify

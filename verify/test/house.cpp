@@ -1,6 +1,7 @@
-// House rules read from the sources as text: includes point to the right, experiments -> verify -> tetratree ->
-// covering -> kernel, and within each folder from room to room; guards, NaN, comma operators. A rule is a function from
-// a file's path and text to what is wrong with it: each is also shown a file that breaks it.
+// House rules read from the sources as text. Includes point to the right, experiments -> verify -> tetratree ->
+// covering -> kernel, and within each folder from room to room. Others are about guards, NaN, comma operators and
+// comments. A rule is a function from a file's path and text to what is wrong with it. Each is also shown a file that
+// breaks it.
 
 #include <boost/test/unit_test.hpp>
 
@@ -183,9 +184,9 @@ std::size_t rank_of(const std::string& path)
   return std::find(folders.begin(), folders.end(), folder_of(path)) - folders.begin();
 }
 
-/// Project headers are included by their whole path, "tetracone/folder/room/name.h" where the folder is the package's;
-/// only from the same room, a room that `ways_within` allows, or a folder to the right. The command line may include
-/// every room of its folder.
+/// Project headers are included by their whole path, "tetracone/folder/room/name.h" where the folder is the package's.
+/// They are those of the same room, of a room that `ways_within` allows, or of a folder to the right. The command line
+/// may include every room of its folder.
 Strings wrong_includes(const std::string& path, const std::string& text)
 {
   Strings wrong;
@@ -250,8 +251,8 @@ bool says_gpl(const std::string& text)
   return false;
 }
 
-/// Ways from `path` (relative to the project or to CGAL's include folder) to a GPL part of CGAL or to a file of ours
-/// that may use one. Reads every include as taken, whatever #if it stands under. `seen` holds the files done.
+/// Ways from `path` to a GPL part of CGAL or to a file of ours that may use one. The path is relative to the project or
+/// to CGAL's include folder. Reads every include as taken, whatever #if it stands under. `seen` holds the files done.
 Strings ways_to_gpl(const std::string& path, const std::string& way, std::set<std::string>& seen)
 {
   if (!seen.insert(path).second) return {};
@@ -280,7 +281,7 @@ Strings drops_nan(const std::string& path, const std::string& text)
 }
 
 /// g++ compiles a friend that is defined in a class template for the processor that every unit is for, not for that of
-/// its round: without optimisation, vectors then reach it in other registers than it looks in.
+/// its round. Without optimisation, vectors then reach it in other registers than it looks in.
 Strings vector_friends(const std::string& path, const std::string& text)
 {
   if (!path.ends_with("_simd.inl") || text.find("friend ") == std::string::npos) return {};

@@ -101,7 +101,7 @@ int tarski_query(const Polynomial& f, const Polynomial& g)
   for (std::size_t k = 1; k < f.size(); ++k) derivative.push_back(f[k] * static_cast<unsigned long>(k));
   Polynomial last = f, next = rest(derivative * g, f);
   // f' g may be reduced modulo f. Where its degree is not below that of f, the sequence of f and f' g begins with f, f'
-  // g, -f, which is one change of sign at either end.
+  // g, -f. That is one change of sign at either end.
   int changes = 0;
   std::array<int, 2> signs = {sign_at(f, 0), sign_at(f, 1)};
   while (!next.empty()) {
@@ -124,7 +124,7 @@ struct Condition {
   std::vector<Polynomial> others;
 };
 
-/// Returns 2^n times the number of roots of f in (0, 1) where the n polynomials from index k on are >= 0; each root
+/// Returns 2^n times the number of roots of f in (0, 1) where the n polynomials from index k on are >= 0. Each root
 /// counts with the sign of `weight`.
 int weighted_count(const Polynomial& f, const std::vector<Polynomial>& others, std::size_t k, const Polynomial& weight)
 {
@@ -295,8 +295,8 @@ bool truly_meet_in_motion(kernel::Moving_kind kind, const std::array<Moving_coor
   const auto at_root_of = [&](const Polynomial& f) {
     return !f.empty() && std::ranges::any_of(conditions, [&](const Condition& c) { return holds_at_root(f, c); });
   };
-  // Contact is closed. Its first time is an end of the span or a root of the volume or, where the volume is zero, a
-  // root of another polynomial.
+  // Contact is closed. Its first time is an end of the span or a root of the volume. Where the volume is zero, it may
+  // be a root of another polynomial.
   if (!coplanar.empty()) return at_root_of(coplanar);
   for (const Condition& condition : conditions) {
     if (at_root_of(condition.zero) || at_root_of(condition.positive)) return true;

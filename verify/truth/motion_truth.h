@@ -20,7 +20,7 @@ struct Time_span {
 /// True when the closed primitives share a point at a time of the span. Exact, and formulated otherwise than
 /// `kernel::meet_in_motion`: without projections, isolated roots or refinement. Contact is a formula in barycentric
 /// coordinates, by dot products in space. Sturm and Tarski sequences in integers count the roots of a polynomial at
-/// which others have given signs (Basu, Pollack, Roy, Algorithms in Real Algebraic Geometry, section 2.2).
+/// which others have given signs. See Basu, Pollack, Roy, Algorithms in Real Algebraic Geometry, section 2.2.
 bool truly_meet_in_motion(const kernel::Moving_pair& pair, const Time_span& span = {});
 
 /// A polynomial in time, from the constant coefficient up; empty: 0.

@@ -271,7 +271,7 @@ Rational root_above(const Rational& square) { return root_bounds(square)[1]; }
 Rational root_below(const Rational& square) { return root_bounds(square)[0]; }
 
 /// Returns an upper bound of the speed of every point of the body at every time. A rotation by q turns at the rate 2 |q
-/// x q'| / |q|^2 = 2 |q0 x q1| / |q|^2; a point at distance r from the axis moves r times as fast.
+/// x q'| / |q|^2 = 2 |q0 x q1| / |q|^2. A point at distance r from the axis moves r times as fast.
 Rational speed(const Polyhedron& body, const Motion_ends& ends)
 {
   const bool is_rigid = ends[0].size() == 7;

@@ -14,8 +14,8 @@
 namespace tetracone::verify {
 
 /// True when `first` is the first contact by the definitions of `question`: judged by features. At t = 0 the static
-/// truth is asked. After that all vertices are asked with all triangles of fans, and all edges with all edges, by
-/// `truly_meet_in_motion` of motion_truth.h: there is no contact before lo, and one from lo to hi. Points are placed by
+/// truth is asked. After that `truly_meet_in_motion` of motion_truth.h is asked of all vertices with all triangles of
+/// fans, and of all edges with all edges. There is no contact before lo, and one from lo to hi. Points are placed by
 /// products of quaternions.
 bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question question,
                              const std::optional<kernel::Time_bounds>& first);
@@ -34,10 +34,9 @@ bool truly_collide_at_start(const Moving_bodies& bodies, kernel::Question questi
 enum class Bracket { holds, violated, undecided };
 
 /// Judges `first` by distances. Exact distances of the placed surfaces at rational times, and an upper bound of the
-/// points' speed, prove that there is no contact until `first`, or until the end. They also prove that the bodies are
-/// as near there as the neighbouring doubles allow. Undecided where more than `most` distances would be needed, and
-/// where a linear motion's image is flat at a time in question. Within `end` of the first contact itself nothing is
-/// proved.
+/// points' speed, prove two things. There is no contact until `first`, or until the end. The bodies are as near there
+/// as the neighbouring doubles allow. Undecided where more than `most` distances would be needed, and where a linear
+/// motion's image is flat at a time in question. Within `end` of the first contact itself nothing is proved.
 Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question question,
                                  const std::optional<kernel::Time_bounds>& first, int most = 200, double end = 0x1p-20);
 

@@ -11,8 +11,8 @@ namespace tetracone::verify {
 ///
 /// 1. A region of space between the surfaces is bounded by pieces, which say whether A and B have it. The region that
 ///    goes to infinity belongs to neither.
-/// 2. A solid's interior is bounded by those pieces of its surface that have winding number 0 on a side, and by its
-///    segments and points where that number is 0.
+/// 2. A solid's interior is bounded by those pieces of its surface that have winding number 0 on a side. Its segments
+///    and points where that number is 0 bound it too.
 /// 3. A lies in B when no region is of A alone, and no piece of A's surface is off B.
 ///
 /// Requires det M != 0 and planar faces. Throws std::invalid_argument when a body is not closed.

@@ -100,8 +100,8 @@ int place_in_solid(const Points& x)
   return -1;
 }
 
-/// Returns the corners of the part of a convex polygon, which may be a segment or a point, on the closed positive side
-/// of a plane.
+/// Returns the corners of the part of a convex polygon on the closed positive side of a plane. The polygon may be a
+/// segment or a point.
 std::vector<Point> clipped(const std::vector<Point>& polygon, const Plane& plane)
 {
   std::vector<Point> kept;

@@ -253,7 +253,8 @@ class Cut_triangle {
   std::vector<Flat_line> lines_, edges_;
 };
 
-// Adds the parameters of pq at which it meets the line through a and b, or the ends of ab where that is the line of pq.
+// Adds the parameters of pq at which it meets the line through a and b. Where that is the line of pq, it adds those of
+// the ends of ab.
 void add_parameters(const Exact_vector& p, const Exact_vector& q, const Exact_vector& a, const Exact_vector& b,
                     std::vector<Rational>& parameters)
 {

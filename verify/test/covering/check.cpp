@@ -224,8 +224,8 @@ BOOST_AUTO_TEST_CASE(a_flat_closed_shell_is_flat)
 
 BOOST_AUTO_TEST_CASE(the_deviation_of_a_lifted_corner_is_exact)
 {
-  // The unit square with its third corner lifted by h. p = 0, q = the lifted corner (the farthest), r = 1; the plane
-  // through them is y h - z = 0 in (x, y, z), or x h - z = 0: the corner left over is h / sqrt(1 + h^2) off.
+  // The unit square with its third corner lifted by h. Here p = 0, q = the lifted corner (the farthest), r = 1. The
+  // plane through them is y h - z = 0 in (x, y, z), or x h - z = 0. So the corner left over is h / sqrt(1 + h^2) off.
   for (const double h : {0.25, 0x1p-30, 1.0, 0x1p-600}) {
     Polyhedron p;
     p.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}};

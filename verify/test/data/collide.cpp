@@ -1,5 +1,5 @@
-// Real models with holes in their faces (not part of the project): the fast tree, over faces as they are and over their
-// triangles, against the paper's tree in rational arithmetic, which shares neither tree nor signs with it.
+// Real models with holes in their faces (not part of the project). The fast tree, over faces as they are and over their
+// triangles, is compared with the paper's tree in rational arithmetic. That one shares neither tree nor signs with it.
 
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/io/input_error.h"

@@ -1,5 +1,5 @@
-// Reads every model of the folder of real data (not part of the project) and checks what is known of it: counts,
-// closed, genus, or that it is refused in one line.
+// Reads every model of the folder of real data (not part of the project) and checks what is known of it. That is its
+// counts, closed, genus, or that it is refused in one line.
 
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/io/input_error.h"

@@ -451,8 +451,8 @@ inline std::vector<Named> bodies_of_any_size()
   return bodies;
 }
 
-/// Points where the covering of a body is degenerate: the origin, small integers, and points between vertices, also in
-/// faces and on the way to the origin.
+/// Points where the covering of a body is degenerate: the origin, small integers, and points between vertices. These
+/// are also in faces and on the way to the origin.
 inline std::vector<Vertex> hard_points(const Polyhedron& body, const Vertex& origin, Random& random)
 {
   std::vector<Vertex> points = {origin};

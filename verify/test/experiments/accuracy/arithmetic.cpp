@@ -34,10 +34,10 @@ BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
   for (const auto& [name, lines] : maps)
     BOOST_TEST(lines.size() == std::size_t(size), name.first << ", " << name.second);
 
-  // The moving point is (1/2 + column d, 1/2 + row d, 1/2 + size/2 d), the plane x + y = 2 z, with the triangle on the
-  // side x >= y of its edge. So the point is above the plane, which is -, by (column + row - size) d; the segment goes
-  // from it to a point above, across x = y, and meets the triangle when it comes from below or the plane itself, with x
-  // >= y.
+  // The moving point is (1/2 + column d, 1/2 + row d, 1/2 + size/2 d). The plane is x + y = 2 z, with the triangle on
+  // the side x >= y of its edge. So the point is above the plane, which is -, by (column + row - size) d. The segment
+  // goes from it to a point above, across x = y. It meets the triangle when it comes from below or the plane itself,
+  // with x >= y.
   const auto plane = [](int row, int column) { return row + column < size ? '+' : row + column > size ? '-' : '0'; };
   const auto triangle = [](int row, int column) { return row + column <= size && column >= row ? '+' : '-'; };
   const auto differing = [&](const std::string& map, const std::string& subject, const auto& expected) {

@@ -141,8 +141,8 @@ BOOST_AUTO_TEST_CASE(contacts_beyond_the_largest_double_are_rounded_as_ieee_754_
 
 BOOST_AUTO_TEST_CASE(contacts_of_a_face_that_is_not_planar_are_all_told_once)
 {
-  // A saddle over its short diagonal from vertex 0 to 2, z = abs(x) / 2, and faces that cut both of its triangles, or
-  // touch the diagonal along it and in a point.
+  // A saddle over its short diagonal from vertex 0 to 2, z = abs(x) / 2, and faces that meet it. They cut both of its
+  // triangles, or touch the diagonal along it and in a point.
   const Temporary_file saddle("saddle.off", "OFF\n4 1 0\n0 -1 0\n2 0 1\n0 1 0\n-2 0 1\n4 0 1 2 3\n");
   for (const auto& [vertices, expected] :
        {std::pair<std::string, std::string>{

@@ -17,8 +17,8 @@ using tetracone::verify::Random;
 
 namespace {
 
-/// The exact facts: the sense in which the triangle's edges turn about p, 0 where they do not all agree; and whether p
-/// is before its plane.
+/// The exact facts. One is the sense in which the triangle's edges turn about p, 0 where they do not all agree. The
+/// other is whether p is before its plane.
 struct Truth {
   int facing;
   bool is_before, is_on_plane;
@@ -63,8 +63,8 @@ BOOST_AUTO_TEST_CASE(what_is_certain_is_true_of_the_exact_points)
   Random random(11);
   long asked = 0, wrong = 0, missed = 0, before = 0, beyond = 0, undecided = 0;
   for (int round = 0; round < 12000; ++round) {
-    // A triangle about a point, small or flat now and then; and p near the ray through one of its edges or of its
-    // plane, at its depth or at another one.
+    // A triangle about a point, small or flat now and then. The point p is near the ray through one of its edges or of
+    // its plane, at its depth or at another one.
     Local_triangle t;
     const Local_point about = random.direction();
     const double from_origin = round % 7 == 0 ? spread(random, 19) : 0.5, size = from_origin * spread(random, 16);

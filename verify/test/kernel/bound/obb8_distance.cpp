@@ -37,7 +37,8 @@ Solid any(Random& random)
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// Eight boxes, each beyond a face of its own or of the single one, and how far a corner of it is from one of that.
+/// Eight boxes, each beyond a face of its own or of the single one. A corner of each has its distance from one of the
+/// single box.
 struct Scene {
   Obb8 boxes{}, from{};
   Pose pose;

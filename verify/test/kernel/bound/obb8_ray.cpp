@@ -111,8 +111,8 @@ Span span_of(const Scene& scene, const Obb8& boxes, int lane)
   return span;
 }
 
-/// A box of which one corner, or an inner point of a face or an edge, is `at`, and which lies on one side of a plane
-/// through it that the ray is in; moved by `off` away from that plane.
+/// A box of which one corner, or an inner point of a face or an edge, is `at`. It lies on one side of a plane through
+/// that point which the ray is in, moved by `off` away from that plane.
 void put(Obb8& boxes, int lane, Random& random, const Vector& at, const Vector& along, double off)
 {
   // Some have an axis across the ray.

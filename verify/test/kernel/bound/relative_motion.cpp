@@ -48,8 +48,8 @@ Pose turned(const Pose& pose, double angle, const std::array<double, 3>& shift)
   return Pose(m);
 }
 
-/// Both bodies before, and after a step: small and large ones, of both bodies, none at all, of other sizes, sheared, in
-/// fractions, and far from the origin.
+/// Both bodies before, and after a step. Steps are small and large ones, of both bodies, none at all, of other sizes,
+/// sheared, in fractions, and far from the origin.
 std::array<Placing, 2> step(Random& random, int kind)
 {
   Placing p = scenes::random_placing(random);
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(a_course_is_known_by_its_steps)
 
 BOOST_AUTO_TEST_CASE(a_course_is_reversed_in_the_frame_of_what_is_on_it)
 {
-  // A point q of B that goes on in A's frame by a step goes by the reversed one, the other way, in B's frame as it is.
+  // A point q of B goes on in A's frame by a step. In B's frame as it is, it goes by the reversed step, the other way.
   Random random(5);
   int wrong = 0, asked = 0;
   double most = 0;

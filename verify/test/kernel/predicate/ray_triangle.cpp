@@ -23,9 +23,10 @@ struct Scene {
   std::array<Vertex, 3> triangle;
 };
 
-/// A ray through, or by some units in the last place beside, a point of the triangle: inside, on an edge, a corner, or
-/// one behind the origin. A fourth of the origins are within rounding of the triangle's plane, most of these in the
-/// triangle, with directions out of the plane or nearly in it. All but the direction times a power of two.
+/// A ray through a point of the triangle, or by some units in the last place beside it. The point is inside, on an
+/// edge, a corner, or one behind the origin. A fourth of the origins are within rounding of the triangle's plane, most
+/// of these in the triangle. Their directions are out of the plane or nearly in it. All but the direction times a power
+/// of two.
 Scene near_scene(Random& random, int exponent)
 {
   Scene scene;
@@ -56,8 +57,8 @@ Scene near_scene(Random& random, int exponent)
   return scene;
 }
 
-/// Where the ray meets the plane, t of the direction as given, if in one point; and whether the line meets the closed
-/// triangle there: signs past the edges, none of the library's.
+/// Where the ray meets the plane, t of the direction as given, if in one point. The rest tells whether the line meets
+/// the closed triangle there. It takes signs past the edges, none of the library's.
 struct Truth {
   std::optional<Rational> t;
   bool meets_line = false;

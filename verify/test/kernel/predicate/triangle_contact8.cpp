@@ -49,8 +49,9 @@ Triangle_contacts8 filtered(const Corners8& corners, const Pose& pose_p, const P
   return first;
 }
 
-/// A triangle, and one that touches or crosses it in any way, exactly or nearly: a corner in its plane, inside it or
-/// beside it; an edge through an edge or a corner; or anything. Some pairs differ much in size.
+/// A triangle, and one that touches or crosses it in any way, exactly or nearly. That one has a corner in its plane,
+/// inside it or beside it, or an edge through an edge or a corner. Or it is any triangle. Some pairs differ much in
+/// size.
 std::array<std::array<Vertex, 3>, 2> near_pair(Random& random)
 {
   // Coordinates of 24 bits: what is meant is exact, and signs in double are rounded.

@@ -87,7 +87,7 @@ kernel::Vector vector(Random& random) { return {real(random, -1, 1), real(random
 
 BOOST_AUTO_TEST_CASE(bodies_that_touch_in_one_vertex_are_never_apart)
 {
-  // The one that reaches farthest of A put on the one of B that reaches farthest the other way: a hair more and they
+  // The one that reaches farthest of A is put on the one of B that reaches farthest the other way. A hair more and they
   // are apart.
   const auto all = bodies();
   Random random(2);

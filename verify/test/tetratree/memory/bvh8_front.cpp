@@ -76,8 +76,8 @@ const Body& small_body()
   return body;
 }
 
-/// Smooth ones along contact, through it, and inside; with jumps, rests, restarts, steps of the size of bodies; poses
-/// that are no similarities, in fractions, mirrored, and of changing size.
+/// Smooth ones along contact, through it, and inside. Others have jumps, rests, restarts, and steps of the size of
+/// bodies. Some poses are no similarities, in fractions, mirrored, or of changing size.
 std::vector<Walk> walks()
 {
   const auto still = [](int) { return Pose(); };
@@ -126,8 +126,8 @@ std::vector<Walk> walks()
   return all;
 }
 
-/// How many pairs of elements are below no entry of the front; and how many whose distance is less than what an entry
-/// says, or that meet. `gap_of` is an upper bound of the distance.
+/// The number of pairs of elements that are below no entry of the front. Others have a distance that is less than what
+/// an entry says, or meet. `gap_of` is an upper bound of the distance.
 struct Judged {
   std::size_t uncovered = 0, too_far = 0, certified = 0;
 };

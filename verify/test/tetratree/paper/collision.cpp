@@ -49,8 +49,8 @@ std::vector<Case> meshes()
   return cases;
 }
 
-/// Meshes, bodies of small integers that touch in every way, under poses of every kind and at scales from denormals to
-/// the largest doubles, and bodies that are open; with the truth.
+/// Cases with the truth: meshes, bodies of small integers that touch in every way, and bodies that are open. Poses are
+/// of every kind, and scales go from denormals to the largest doubles.
 const std::vector<Case>& cases()
 {
   static const std::vector<Case> all = [] {

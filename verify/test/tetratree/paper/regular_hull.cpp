@@ -26,7 +26,7 @@ namespace {
 using Hull = Regular_hull<double, true>;
 using Interval = CGAL::Interval_nt_advanced;
 
-/// An edge of the hull and a cone at it: the hull's facets on both sides of an edge stand next to one another when
+/// An edge of the hull and a cone at it. The hull's facets on both sides of an edge stand next to one another when
 /// sorted.
 struct Side {
   std::array<Direction, 2> edge;
@@ -59,10 +59,10 @@ Interval volume(const Direction& a, const Direction& b, const Direction& c, cons
 
 }  // namespace
 
-// The proof that Theorem 2 needs. The hull of a level is closed and star-shaped about V0: its facets are those of the
-// cones, each of which V0 sees from inside (the determinant of its rays is positive). Such a surface is convex when
-// it is so at every edge: when the far corner of the one facet is strictly below the plane of the other. The corners
-// are irrational; intervals decide every sign.
+// The proof that Theorem 2 needs. The hull of a level is closed and star-shaped about V0. Its facets are those of the
+// cones, and V0 sees each from inside (the determinant of its rays is positive). Such a surface is convex when it is so
+// at every edge. It is so at an edge when the far corner of the one facet is strictly below the plane of the other. The
+// corners are irrational; intervals decide every sign.
 BOOST_AUTO_TEST_CASE(the_hull_of_every_level_in_use_is_convex)
 {
   BOOST_TEST(Hull::deepest_convex_level >= 1);

@@ -13,10 +13,16 @@
 
 BOOST_AUTO_TEST_SUITE(test_distance_to_degeneracy)
 
-// Planted by hand, and caught by these tests: the determinant's minus a plus; the permanent without one of its absolute
-// values; n not halved after its square; the exponent of the largest coordinate one too high; the denominator
-// forgotten; boxes not grown; edges' lines asked where both ends are on one side; edges of one body only; a wrong point
-// in one determinant of `solid`, of `classification`.
+// Planted by hand, and caught by these tests:
+// - the determinant's minus a plus;
+// - the permanent without one of its absolute values;
+// - n not halved after its square;
+// - the exponent of the largest coordinate one too high;
+// - the denominator forgotten;
+// - boxes not grown;
+// - edges' lines asked where both ends are on one side;
+// - edges of one body only;
+// - a wrong point in one determinant of `solid`, of `classification`.
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;

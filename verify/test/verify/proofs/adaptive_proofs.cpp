@@ -71,8 +71,8 @@ void check_underflow(const std::string& name, const Expression& expression, std:
 
 }  // namespace
 
-// `Adaptive_points` knows no error beyond the gate, of images or of the vertices that fractions place, and
-// `Pose::determinant_sign` no bound: the gate is asked for there, and is what is assumed here.
+// `Adaptive_points` knows no error beyond the gate, of images or of the vertices that fractions place.
+// `Pose::determinant_sign` knows no bound there. So the gate is asked for there, and is what is assumed here.
 BOOST_AUTO_TEST_CASE(nothing_overflows_within_the_magnitude_gate)
 {
   if (skipped_without_gappa()) return;

@@ -75,9 +75,9 @@ void check(const std::string& name, const Expression& expression, const std::vec
 
 }  // namespace
 
-// `Bound_frame` has no finite error where the reach of the body or of its image is beyond the gate, and what has no
-// finite error is never separated (the tests of kernel/bound/bounds.h): that is assumed here. A pose's entry may be
-// larger where the body is small: its products with coordinates are not, and where products of entries alone overflow,
+// `Bound_frame` has no finite error where the reach of the body or of its image is beyond the gate. Nothing without a
+// finite error is ever separated (the tests of kernel/bound/bounds.h). That is assumed here. A pose's entry may be
+// larger where the body is small. Its products with coordinates are not, and where products of entries alone overflow,
 // thresholds do before.
 BOOST_AUTO_TEST_CASE(nothing_overflows_or_underflows_within_the_separation_gate)
 {

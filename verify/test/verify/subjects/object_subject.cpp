@@ -11,9 +11,11 @@
 
 BOOST_AUTO_TEST_SUITE(test_object_subject)
 
-// Planted by hand, and wrong in a campaign of 4 cases a family: a pair of elements that met in the last pose taken for
-// one that meets in this (64 of 196 answers), a last pose apart taken for this one apart (50), whole faces bounded by
-// their first four corners (1). And in 24 cases of "many-faces": a tree that leaves out a part of each lowest node (2).
+// Planted by hand, and wrong in a campaign of 4 cases a family:
+// - a pair of elements that met in the last pose taken for one that meets in this (64 of 196 answers);
+// - a last pose apart taken for this one apart (50);
+// - whole faces bounded by their first four corners (1).
+// And in 24 cases of "many-faces": a tree that leaves out a part of each lowest node (2).
 
 using namespace tetracone;
 using namespace tetracone::verify;
