@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+"""House rule: no sentence of a comment in the C++ sources has more than 25 words. Each that has is told with its file and line."""
+
+import pathlib
+import re
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[3]
+FOLDERS = ("kernel", "covering", "tetratree", "verify", "experiments")
+MOST_WORDS = 25
+
+# A sentence ends at . ! ? and, before what begins another, at ; and :. The dot of a product has a blank before it.
+END = re.compile(r"(?<=[^\s(])[.!?][)\"']*\s+|(?<=\S)[;:]\s+(?=[A-Z`(0-9])")
+ABBREVIATION = re.compile(r"\b(e\.g|i\.e|cf|vs|Fig|Sec|No)\.$")
+OPERATOR = re.compile(r"[-+*/=<>^|&.~]+")
+ITEM = re.compile(r"(-|\*|\d+[.)]) +")
+
+
+def comments(text):
+    """Comments of // as lists of (line, indentation of the words, words); what follows one another in one column is one comment."""
+    found, column, last = [], None, 0
+    for number, line in enumerate(text.split("\n"), 1):
+        literals = re.sub(r'"(\\.|[^"\\])*"', lambda literal: "x" * len(literal[0]), line)
+        at = literals.find("//")
+        if at < 0:
+            continue
+        words = re.match(r"//[/!]?<?", line[at:])
+        rest = line[at + words.end():]
+        alone = not line[:at].strip()
+        if not (alone and found and last + 1 == number and at == column):
+            found.append([])
+        found[-1].append((number, len(rest) - len(rest.lstrip()), rest.strip()))
+        column, last = at, number
+    return found
+
+
+def paragraphs(comment):
+    """Its paragraphs and the items of its lists as lists of (line, words), without code: \\code blocks, and lines that are indented more."""
+    found, inside, in_code = [], None, False
+    for number, indentation, words in comment:
+        item = ITEM.match(words)
+        if re.match(r"[\\@](end)?(code|verbatim)\b", words):
+            in_code, inside = not re.match(r"[\\@]end", words), None
+        elif in_code or not words:
+            inside = None
+        elif item:
+            inside = indentation + item.end()
+            found.append([(number, words[item.end():])])
+        elif inside is not None and abs(indentation - inside) <= 1:
+            found[-1].append((number, words))
+        elif indentation < (4 if inside is None else inside):
+            inside = indentation
+            found.append([(number, words)])
+    return found
+
+
+def sentences(paragraph):
+    """Its sentences, each with the line on which it begins."""
+    text = " ".join(words for _, words in paragraph)
+    starts, at = [], 0
+    for number, words in paragraph:
+        starts.append((at, number))
+        at += len(words) + 1
+    begin = 0
+    for end in [m for m in END.finditer(text) if not ABBREVIATION.search(text[:m.start() + 1])] + [None]:
+        stop = end.end() if end else len(text)
+        yield max(number for at, number in starts if at <= begin), text[begin:stop].strip()
+        begin = stop
+
+
+def words_of(sentence):
+    """The number of its words: tokens with a letter. What stands in backticks is one, and so is a formula, the tokens between which operators stand."""
+    tokens = re.sub(r"`[^`]*`", "`code`", sentence).split()
+    count, joined = 0, False
+    for token in tokens:
+        if OPERATOR.fullmatch(token):
+            joined = True
+            continue
+        count += bool(re.search(r"[A-Za-z]", token)) and not joined
+        joined = False
+    return count
+
+
+def long_sentences(path, text):
+    return [f"{path}:{line}: a sentence of {words_of(sentence)} words; expected at most {MOST_WORDS}: {sentence}"
+            for comment in comments(text) for paragraph in paragraphs(comment) for line, sentence in sentences(paragraph)
+            if words_of(sentence) > MOST_WORDS]
+
+
+def sources(folder):
+    return sorted(path for path in (SOURCE / folder).rglob("*") if path.suffix in (".h", ".inl", ".cpp"))
+
+
+class Sentences(unittest.TestCase):
+    def test_no_sentence_is_long(self):
+        wrong = []
+        for folder in FOLDERS:
+            found = sources(folder)
+            self.assertTrue(found, folder)
+            for path in found:
+                wrong += long_sentences(path.relative_to(SOURCE), path.read_text(encoding="utf-8"))
+        self.assertFalse(wrong, "\n".join([""] + wrong))
+
+    def count(self, text):
+        return len(long_sentences("kernel/x.h", text))
+
+    def test_a_long_one_is_noticed_with_its_line(self):
+        few, many = "word " * 12, "word " * 25
+        self.assertEqual(self.count(f"/// {many}."), 0)
+        self.assertEqual(self.count(f"/// {many}more."), 1)
+        self.assertTrue(long_sentences("kernel/x.h", f"\n/// Short.\n/// Here {few}\n/// {few}more.")[0].startswith("kernel/x.h:3: "))
+        for wrong in (f"  // {few}\n  // {few}, and more.", f"int x;  ///< {few}\n        ///< {few}, and more", f"/// {few}; {few}and more.",
+                      f"/// {few}: {few}and more.", f"/// - {few}\n///   {few}, and more;\n/// - {few}", f"/// {few}e.g. {few}and more.",
+                      f'f("//", "x");  // {few} {few}and more.'):
+            self.assertEqual(self.count(wrong), 1, wrong)
+
+    def test_sentences_items_and_code_are_told_apart(self):
+        few = " ".join(["word"] * 20)
+        for right in (f"/// {few}. {few}.", f"/// {few}. m_k {few}.", f"/// {few}; `x` {few}.", f"/// {few}: (1) {few}.", f"/// {few}.) {few}.", f"/// {few}\n///\n/// {few}",
+                      f"/// {few}:\n/// - {few};\n/// - {few}", f"/// 1. {few}\n/// 2. {few}", f"/// {few}:\n///     {few}\n///     {few}",
+                      f"/// \\code\n/// {few}\n/// {few}\n/// \\endcode", f"int x;  ///< {few}\nint yy;  ///< {few}", f'const char* x = "// {few} {few}";',
+                      f"/// {few}\nint x;\n/// {few}", f"/// {few} `{few}`.", "/// " + "a + b - " * 30, "/// https://x.org/" + "-word" * 40):
+            self.assertEqual(self.count(right), 0, right)
+
+    def test_formulas_are_words(self):
+        self.assertEqual(words_of("The error of n . (x - p) + |y| is 3."), 5)
+        self.assertEqual(words_of("`a b c` is 1"), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
