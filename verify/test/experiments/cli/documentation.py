@@ -17,8 +17,8 @@ if not PROGRAM:
     sys.exit(77)
 BUILD = os.path.dirname(PROGRAM)
 PAGES = ("README.md", "CONTRIBUTING.md", "kernel/README.md", "covering/README.md", "tetratree/README.md", "tetratree/python/README.md", "verify/README.md",
-         "experiments/README.md", "experiments/artifact/README.md", "experiments/results/README.md", "experiments/subjects/README.md", "experiments/cluster/README.md",
-         "verify/corpus/README.md", "tetratree/door/mainpage.md")
+         "experiments/README.md", "experiments/artifact/README.md", "experiments/results/README.md", "experiments/speed/README.md", "experiments/subjects/README.md",
+         "experiments/cluster/README.md", "verify/corpus/README.md", "tetratree/door/mainpage.md")
 # Words for what the reader chooses.
 NEW = {"NAME"}
 # The longest that a page may be, in words, and in lines.
