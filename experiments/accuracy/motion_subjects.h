@@ -18,7 +18,7 @@ struct Motion_subject {
 ///  - double, float: the roots of the volume in [0, 1], then barycentric coordinates at each, as Provot (1997)
 ///    proposed;
 ///  - tolerance: as double, with a slack of 1e-6 in coordinates and distance, and with the ends and extrema of the
-///    volume tested too. Bridson, Fedkiw, Anderson, "Robust Treatment of Collisions", 2002;
+///    volume tested too. See Bridson, Fedkiw, Anderson, "Robust Treatment of Collisions", 2002;
 ///  - root-parity: Brochu, Edwards, Bridson, "Efficient Geometrically Exact Continuous Collision Detection", 2012: the
 ///    parity of a ray's crossings with the boundary of the image of the domain. It computes in rationals throughout,
 ///    where the published method filters: it has that method's answers, not its speed;

@@ -41,8 +41,8 @@ inline void add_cuts(const kernel::Rational_face& p, const kernel::Rational_face
 ///
 /// A triangle is *plain* if it has area, and no other face meets it but in a vertex or an edge of both (by
 /// coordinates). Then no face divides its sides. Two plain triangles have equal sides, and belong to one *patch*, where
-/// they share an edge. No other face has the edge, and they use it in opposite directions. One point tells the sides of
-/// a patch. Every other face is cut into cells by those that meet it. One point of each cell tells its sides.
+/// they share an edge in opposite directions. That edge must be of no other face. One point tells the sides of a patch.
+/// Every other face is cut into cells by those that meet it. One point of each cell tells its sides.
 class Solid_sides {
  public:
   /// A face's sides. `front` is the side from which its corners are anticlockwise.

@@ -1,4 +1,4 @@
-// Runs the program itself: what `tetracone fuzz` finds is replayed by `tetracone collide`, wrong with the kernel that
+// Runs the program itself. What `tetracone fuzz` finds is replayed by `tetracone collide`: wrong with the kernel that
 // was wrong and right with the exact one.
 
 #include "verify/cases/case_file.h"

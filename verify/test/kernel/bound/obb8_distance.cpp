@@ -37,8 +37,8 @@ Solid any(Random& random)
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// Eight boxes, each beyond a face of its own or of the single one. A corner of each has its distance from one of the
-/// single box.
+/// Eight boxes, each beyond a face of its own or of the single one. `corners_apart` has the distance of a corner of
+/// each from a corner of the single box.
 struct Scene {
   Obb8 boxes{}, from{};
   Pose pose;

@@ -57,8 +57,8 @@ Scene near_scene(Random& random, int exponent)
   return scene;
 }
 
-/// Where the ray meets the plane, t of the direction as given, if in one point. The rest tells whether the line meets
-/// the closed triangle there. It takes signs past the edges, none of the library's.
+/// `t` tells where the ray meets the plane, for the direction as given, if in one point. `meets_line` tells whether the
+/// line meets the closed triangle there. It takes signs past the edges, none of the library's.
 struct Truth {
   std::optional<Rational> t;
   bool meets_line = false;

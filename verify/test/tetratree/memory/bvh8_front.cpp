@@ -126,8 +126,8 @@ std::vector<Walk> walks()
   return all;
 }
 
-/// The number of pairs of elements that are below no entry of the front. Others have a distance that is less than what
-/// an entry says, or meet. `gap_of` is an upper bound of the distance.
+/// `uncovered` counts the pairs of elements that are below no entry of the front. `too_far` counts those whose distance
+/// is less than what an entry says, or that meet. `gap_of` is an upper bound of the distance.
 struct Judged {
   std::size_t uncovered = 0, too_far = 0, certified = 0;
 };
