@@ -105,6 +105,30 @@ def heat_map(field, question):
     return f"<table><tr><th>engine</th>{head}</tr>\n{body}</table>"
 
 
+def floats(field, question):
+    """Wrong answers of engines that hold their input as floats, parted into what rounding the input explains and what it does not."""
+    regimes = [k for k in REGIMES if field.of("rounded", question=question, regime=k)]
+    if not regimes:
+        return ""
+    head = "".join(f"<th>{REGIMES[k]}</th>" for k in regimes)
+    body = ""
+    for _, subjects in field.engines(question):
+        for subject in subjects:
+            rows = {r["regime"]: r for r in field.of("rounded", subject=subject, question=question)}
+            if not rows:
+                continue
+            n, wrong, excused = (sum(number(r, k) for r in rows.values()) for k in ("n", "wrong", "excused"))
+            changed, missed, invented = (sum(number(r, k) for r in rows.values()) for k in ("changed", "missed", "invented"))
+            body += (f"<tr><td>{name_of(field, subject)}</td><td>{n}</td><td>{percent(changed, n)}</td><td>{percent(wrong, n)}</td><td>{percent(excused, n)}</td>"
+                     f"<td>{percent(missed + invented, n)}</td>")
+            for regime in regimes:
+                r = rows.get(regime)
+                body += cell(number(r, "missed"), number(r, "invented"), 0, number(r, "n")) if r else cell(0, 0, 0, 0)
+            body += "</tr>\n"
+    return (f"<h3>{question}</h3><table><tr><th>engine</th><th>asked</th><th>rounding changes<br>the truth</th><th>wrong of<br>the input</th>"
+            f"<th>explained by<br>the rounding</th><th>wrong of the<br>rounded input</th>{head}</tr>\n{body}</table>")
+
+
 def ladder(field):
     """Two panels: by the cubes' size, the largest gap called contact and the largest overlap missed, as powers of 2 of the size."""
     sizes = sorted({int(r["size"]) for r in field.of("ladder")})
@@ -185,11 +209,52 @@ def strip(field):
     return f"<table class='strip'><tr><th>case</th><th>question</th><th>truth</th>{head}</tr>\n{body}</table>"
 
 
+def scatter(field, kind):
+    """Time against wrong answers, of those that tell a time: the best of each group is labelled, the rest is grey; hollow: it declines more than half."""
+    points = []
+    for r in field.of("speed", regime=kind):
+        rows = field.of("regime", subject=r["subject"], question=r["question"])
+        n, wrong, declined = (sum(number(x, *keys) for x in rows) for keys in (("n",), ("missed", "invented"), ("declined",)))
+        if n:
+            points.append((float(r["value"]) / 1000, max(wrong / n, 1e-4), wrong, n, declined > n, r["subject"]))
+    if not points:
+        return ""
+    width, height = 640, 250
+    low, high = math.floor(min(math.log10(p[0]) for p in points)), math.ceil(max(math.log10(p[0]) for p in points) + 1e-9)
+
+    def x(us):
+        return 60 + (math.log10(us) - low) / (high - low) * (width - 200)
+
+    def y(share):
+        return height - 40 + (math.log10(share) + 4) / 4 * (60 - height)
+    out = [f'<text x="60" y="12">{kind}</text><text x="60" y="{height - 4}">microseconds a pose, by its own clock</text>']
+    for e in range(low, high + 1):
+        out.append(f'<line x1="{x(10 ** e):.0f}" x2="{x(10 ** e):.0f}" y1="20" y2="{height - 40}" stroke="#eee"/>'
+                   f'<text x="{x(10 ** e):.0f}" y="{height - 24}" text-anchor="middle">10^{e}</text>')
+    for share, text in ((1, "100 %"), (0.1, "10 %"), (0.01, "1 %"), (1e-3, "0.1 %"), (1e-4, "none")):
+        out.append(f'<line x1="60" x2="{width - 140}" y1="{y(share):.0f}" y2="{y(share):.0f}" stroke="#eee"/>'
+                   f'<text x="54" y="{y(share) + 4:.0f}" text-anchor="end">{text}</text>')
+    best = {}
+    for p in points:
+        group = field.group[p[5]]
+        best[group] = min(best.get(group, p), p, key=lambda q: (q[2] / q[3], q[0]))
+    for p in points:
+        us, share, wrong, n, declines, subject = p
+        group = field.group[subject]
+        colour = "#2c5f9e" if best[group] is p else "#999"
+        out.append(f'<circle cx="{x(us):.1f}" cy="{y(share):.1f}" r="4" fill="{"#fff" if declines else colour}" stroke="{colour}" stroke-width="1.5">'
+                   f'<title>{html.escape(subject)}: {us:,.1f} microseconds, {wrong} wrong of {n}</title></circle>')
+        if best[group] is p:
+            out.append(f'<text x="{x(us) + 8:.1f}" y="{y(share) - 5:.1f}" fill="{colour}">{html.escape(subject)} ({group})</text>')
+    return f'<figure><svg viewBox="0 0 {width} {height}" font-size="11" width="{width}">{"".join(out)}</svg></figure>'
+
+
 def speeds(field):
     out = ""
     for kind in dict.fromkeys(r["regime"] for r in field.of("speed")):
         rows = sorted(field.of("speed", regime=kind), key=lambda r: float(r["value"]))
         body = "".join(f'<tr><td>{name_of(field, r["subject"])}</td><td>{float(r["value"]) / 1000:,.1f}</td><td>{r["n"]}</td><td>{r["text"]}</td></tr>' for r in rows)
+        out += scatter(field, kind)
         out += f"<table><tr><th>{kind}, near contact</th><th>microseconds a pose, by its own clock</th><th>poses</th><th>answers</th></tr>{body}</table>"
     return out
 
@@ -233,6 +298,12 @@ do by design; <i>flush apart</i>: likewise flush cubes.</p>
 {heat_map(field, "surface")}
 <h2>Wrong answers: solids</h2>
 {heat_map(field, "solid")}
+<h2>What floats cost, and what the engine does</h2>
+<p class="note">{"" if field.of("rounded") else "Not asked. "}An engine of floats never sees the bodies that it is given. Here its answers are judged twice: by the truth of the input, and
+by the truth of the input with each number rounded to the nearest float, vertices and poses, or vertices alone where its poses are of double. <i>Explained by the rounding</i>: wrong of the
+input and right of the rounded one. The cells are wrong answers to the rounded input: what the engine does.</p>
+{floats(field, "surface")}
+{floats(field, "solid")}
 <h2>The ladder</h2>
 <p class="note">How near may two equal cubes be before an engine errs? The grey band is half an ulp of float at the size, which a float engine cannot avoid. Engines for games have
 absolute tolerances for bodies of about a metre: read the middle of the figure for those. The cubes of a rung are aligned, shifted sideways or turned.</p>
@@ -247,7 +318,8 @@ Calling a flush or single-corner contact apart is right for an engine of open se
 {strip(field)}
 <h2>Time</h2>
 <p class="note">{"" if field.of("speed") else "Not measured: the machine was busy. "}Self-reported: an engine's own clock around its own query, without the pipe and without making its bodies, unless it makes them at each query (Rapier's shapes, GTS,
-SFCGAL). The builds of npm are WebAssembly, not the native ones. The machine was not idle: read orders of magnitude. The number that collide is the answers' verdict.</p>
+SFCGAL). The builds of npm are WebAssembly, not the native ones. The machine was not idle: read orders of magnitude. The number that collide is the answers' verdict. In the figures a
+group's best is labelled, by wrong answers and then by time; hollow ones decline more than half of the questions; <i>none</i> is none wrong of what was asked.</p>
 {speeds(field)}
 <h2>Engines</h2>
 {engines(field)}

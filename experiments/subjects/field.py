@@ -288,6 +288,16 @@ def tables(db, groups, rows):
         if (subject, question) in takes:
             rows.append({"table": "regime", "subject": subject, "question": question, "regime": name, "n": n, "invented": invented, "missed": missed,
                          "failed": failed, "declined": declined})
+    # What rounding the input to floats costs, and what the engine does with the rounded one.
+    rounded = {}
+    for subject, question, family, bin_, *counts in base.execute(
+            "SELECT subject, question, family, bin, n, changed, wrong, excused, false_positives, false_negatives FROM rounded WHERE level = 'object'"):
+        if asked(subject, question):
+            key = subject, question, regime(family, bin_)
+            rounded[key] = [a + b for a, b in zip(rounded.get(key, [0] * 6), counts)]
+    for (subject, question, name), (n, changed, wrong_of_input, excused, invented, missed) in sorted(rounded.items()):
+        rows.append({"table": "rounded", "subject": subject, "question": question, "regime": name, "n": n, "changed": changed, "wrong": wrong_of_input,
+                     "excused": excused, "invented": invented, "missed": missed})
     for subject, why, n in base.execute("SELECT subject, why, count(*) FROM declined WHERE level = 'object' GROUP BY 1, 2 ORDER BY 1, 2"):
         if subject in groups:
             rows.append({"table": "declined", "subject": subject, "regime": why, "n": n})
@@ -371,7 +381,7 @@ def tables(db, groups, rows):
 
 
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]
-COLUMNS = ["table", "subject", "question", "regime", "size", "n", "invented", "missed", "failed", "declined", "value", "text"]
+COLUMNS = ["table", "subject", "question", "regime", "size", "n", "invented", "missed", "failed", "declined", "changed", "wrong", "excused", "value", "text"]
 MADE_BY = ["version", "compiler", "flags", "processor", "seed", "cases", "frames", "node"]
 
 

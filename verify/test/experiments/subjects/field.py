@@ -25,7 +25,7 @@ import field_trial  # noqa: E402
 APART = """
 import json, sys
 print("Loaded.")
-print(json.dumps({"hello": 1, "name": "Apart", "version": "1", "questions": ["surface"], "poses": "rigid"}), flush=True)
+print(json.dumps({"hello": 1, "name": "Apart", "version": "1", "questions": ["surface"], "poses": "rigid", "precision": "float32"}), flush=True)
 for line in sys.stdin:
     m = json.loads(line)
     if "ask" in m: print(json.dumps({"ask": m["ask"], "answer": 0, "ns": 5}), flush=True)
@@ -69,6 +69,16 @@ class Field(unittest.TestCase):
         (engine,) = self.of("engine", subject="Apart")
         self.assertEqual(json.loads(engine["text"])["version"], "1")
         self.assertGreater(engine["n"], 0)  # lines that it prints
+
+    def test_what_rounding_the_input_costs_stands_apart(self):
+        (row,) = self.of("rounded")
+        self.assertEqual((row["subject"], row["regime"], row["n"], row["invented"]), ("Apart", "ladder", 200, 0))
+        (apart,) = self.of("regime", subject="Apart")
+        self.assertEqual(row["wrong"], apart["missed"])
+        self.assertGreater(row["changed"], 5)
+        # What is called apart is excused where rounding parts the cubes, and missed where it makes them meet.
+        self.assertTrue(0 < row["excused"] < row["wrong"])
+        self.assertEqual(row["missed"] - row["wrong"] + 2 * row["excused"], row["changed"])
 
     def test_rungs_are_read_as_the_family_makes_them(self):
         wide = [r for r in self.of("ladder", subject="Apart", regime="overlap") if r["value"] != ""]
@@ -136,13 +146,17 @@ class Field(unittest.TestCase):
         with open(table, "w", newline="") as file:
             writer = csv.DictWriter(file, field.COLUMNS + field.MADE_BY)
             writer.writeheader()
-            writer.writerows({"text": ""} | row | origin for row in self.rows)
+            speed = {"table": "speed", "subject": "Apart", "question": "surface", "regime": "meshes", "n": 9, "value": 2500, "text": "0 collide"}
+            writer.writerows({"text": ""} | row | origin for row in [*self.rows, speed])
         field_page.write(table, page)
         with open(page) as file:
             text = file.read()
         (apart,) = self.of("regime", subject="Apart")
         self.assertIn(f'{apart["missed"]}+0<small> /200</small>', text)
         self.assertIn(self.made[0], text)
+        self.assertIn(f'Apart: 2.5 microseconds, {apart["missed"]} wrong of 200', text)
+        (rounded,) = self.of("rounded")
+        self.assertIn(f'{rounded["missed"]}+0<small> /200</small>', text)
 
     def test_packages_are_of_one_version_and_of_no_host(self):
         folder = os.path.join(SOURCE, "experiments", "subjects", "npm")
