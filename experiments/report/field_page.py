@@ -259,6 +259,24 @@ def speeds(field):
     return out
 
 
+def kinds(field):
+    """Answers to the other kinds of question, of the engines that take them: a row an engine, a column a question."""
+    rows = field.of("kind")
+    if not rows:
+        return ""
+    columns = list(dict.fromkeys((r["regime"], r["question"]) for r in rows))
+    body = ""
+    for subject in dict.fromkeys(r["subject"] for r in rows):
+        mine = {(r["regime"], r["question"]): r for r in rows if r["subject"] == subject}
+        body += f"<tr><td>{name_of(field, subject)}</td>"
+        for column in columns:
+            r = mine.get(column)
+            body += cell(number(r, "missed"), number(r, "invented"), number(r, "failed"), number(r, "n")) if r else cell(0, 0, 0, 0)
+        body += "</tr>\n"
+    head = "".join(f"<th>{level}:<br>{question}</th>" for level, question in columns)
+    return f"<table><tr><th>engine</th>{head}</tr>\n{body}</table>"
+
+
 def engines(field):
     body = ""
     for group, subjects in field.engines():
@@ -267,10 +285,10 @@ def engines(field):
             why = ", ".join(f'{r["regime"]} {r["n"]}' for r in field.of("declined", subject=s))
             failures = ", ".join(f'{r["regime"]} {r["n"]}' + (f' <small>{html.escape(r["text"])}</small>' if r["text"] else "") for r in field.of("failure", subject=s))
             sizes = h.get("sizes")
-            body += (f'<tr><td>{name_of(field, s)}</td><td>{html.escape(h.get("library") or h.get("version", "built in"))}</td><td>{h.get("precision", "")}</td>'
+            body += (f'<tr><td>{name_of(field, s)}</td><td>{html.escape(h.get("library") or h.get("version", "built in"))}</td><td>{h.get("precision", "")}</td><td>{", ".join(h.get("questions", []))}</td>'
                      f'<td>{h.get("bodies", "")}</td><td>{h.get("poses", "")}</td><td>{h.get("touching", "")}</td>'
                      f'<td>{f"{sizes[0]} .. {sizes[1]} m" if sizes else ""}</td><td>{why}</td><td class="text">{failures}</td></tr>\n')
-    return ("<table><tr><th>engine</th><th>version</th><th>numbers</th><th>bodies</th><th>poses</th><th>sets</th><th>sizes advised</th>"
+    return ("<table><tr><th>engine</th><th>version</th><th>numbers</th><th>takes</th><th>bodies</th><th>poses</th><th>sets</th><th>sizes advised</th>"
             f"<th>not asked, of the first cases</th><th>failures, and last words</th></tr>\n{body}</table>")
 
 
@@ -312,6 +330,11 @@ absolute tolerances for bodies of about a metre: read the middle of the figure f
 <p class="note">Many libraries round to a grid first, and are exact from there on. These subjects round the placed vertices, or those of the bodies, to 2^-10 .. 2^-40 of the size on the
 ladder, and then decide without error: what is wrong is the rounding's.</p>
 {rounding(field)}
+<h2>Other kinds of question</h2>
+<p class="note">{"" if field.of("kind") else "Not asked. "}Of the engines that can be asked more than whether bodies collide. <i>meets</i>, <i>surface</i> and <i>solid</i> count like the cells above. A
+number is wrong where it is not the double nearest to the exact one: <i>first t</i>, <i>time</i> and a distance count as missed where they are too small, as invented where they are too large. A float
+engine's numbers are therefore nearly all wrong, by some of its ulps.</p>
+{kinds(field)}
 <h2>What your engine says</h2>
 <p class="note">Each case is a file that <code>tetracone collide FILE</code> replays, and that <code>experiments/subjects/</code> can be asked. Red is wrong; a dot was not asked.
 Calling a flush or single-corner contact apart is right for an engine of open sets.</p>

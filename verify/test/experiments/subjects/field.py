@@ -89,6 +89,19 @@ class Field(unittest.TestCase):
             self.assertEqual(row["value"], "")
         self.assertTrue(all(r["value"] == "" or r["value"] < -15 for r in self.of("ladder", subject="float tree")))
 
+    def test_other_kinds_of_question_are_asked_of_those_that_name_them(self):
+        script = os.path.join(self.out, "misses.py")
+        with open(script, "w") as file:
+            file.write(APART.replace('["surface"]', '["surface", "ray"]'))
+        command, db = f"{sys.executable} {script}", os.path.join(self.out, "kinds.db")
+        subprocess.run([PROGRAM, "verify", "--db", db, "--level", "object", "--cases", "1", "--family", "lego", "--subject", "Misses", "--subject", "Apart",
+                        "--subject-command", "Misses=" + command, "--subject-command", "Apart=" + self.command], check=True, capture_output=True)
+        rows = []
+        field.other_kinds(db, PROGRAM, [("Misses", "double", command), ("Apart", "double", self.command)], 4, 10, rows)
+        (row,) = rows  # no ray meets anything, it says: there is no t to judge
+        self.assertEqual((row["subject"], row["regime"], row["question"], row["invented"], row["failed"]), ("Misses", "rays", "meets", 0, 0))
+        self.assertTrue(0 < row["missed"] < row["n"])
+
     def test_an_edited_program_is_another_subject(self):
         script = self.command.split()[1]
         with open(script, "a") as file:
@@ -147,13 +160,15 @@ class Field(unittest.TestCase):
             writer = csv.DictWriter(file, field.COLUMNS + field.MADE_BY)
             writer.writeheader()
             speed = {"table": "speed", "subject": "Apart", "question": "surface", "regime": "meshes", "n": 9, "value": 2500, "text": "0 collide"}
-            writer.writerows({"text": ""} | row | origin for row in [*self.rows, speed])
+            kind = {"table": "kind", "subject": "Apart", "question": "meets", "regime": "rays", "n": 77, "missed": 33}
+            writer.writerows({"text": ""} | row | origin for row in [*self.rows, speed, kind])
         field_page.write(table, page)
         with open(page) as file:
             text = file.read()
         (apart,) = self.of("regime", subject="Apart")
         self.assertIn(f'{apart["missed"]}+0<small> /200</small>', text)
         self.assertIn(self.made[0], text)
+        self.assertIn("33+0<small> /77</small>", text)
         self.assertIn(f'Apart: 2.5 microseconds, {apart["missed"]} wrong of 200', text)
         (rounded,) = self.of("rounded")
         self.assertIn(f'{rounded["missed"]}+0<small> /200</small>', text)
