@@ -107,7 +107,7 @@ class Program {
     return {Outcome::not_asked, "", {}};
   }
 
-  // Of the last question.
+  // These are about the last question.
   const std::optional<verify::Spent>& spent() const { return spent_; }
   const verify::Failure& failure() const { return failure_; }
   const std::string& why_not_asked() const { return why_not_; }

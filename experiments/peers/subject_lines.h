@@ -37,8 +37,7 @@ struct Hello {
   bool takes_batches = false;
   verify::In_floats in_floats = verify::In_floats::nothing;
 
-  /// Of other kinds than `collide` it is asked what it names. It is asked both of surfaces and solids where it names
-  /// neither of these.
+  /// Kinds other than `collide` are taken where they are named, for surfaces and solids both where neither is named.
   bool takes(Kind kind) const;
   bool takes(Kind kind, kernel::Question of) const;
   bool takes(const kernel::Pose& pose) const;

@@ -61,8 +61,8 @@ bool holds(const Placed_body& placed, const Holder& holder, const Coordinates& x
 /// far from it. The answer's value is the number of right statements. Subjects are not asked about bodies of more than
 /// `most_faces` faces.
 ///
-/// A subject that knows the rounded distance alone is judged by two questions: its distance is 0 for the nearest double,
-/// -1 for a smaller one, 1 for a larger one; and its right answers to the six limits are counted.
+/// A subject that knows the rounded distance alone is judged by two questions. Its distance is 0 for the nearest
+/// double, -1 for a smaller one, 1 for a larger one. Its right answers to the six limits are counted.
 class Distance_page : public Two_questions<levels::Distances> {
  public:
   auto relations() const { return distance_relations(); }

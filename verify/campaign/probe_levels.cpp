@@ -60,9 +60,9 @@ class Point_page : public Page<levels::Points> {
   int truth_ = 0;
 };
 
-/// Judges three questions: the first face with its t, all faces with their t, and all faces. An answer is a list. One
-/// that knows the first t alone is judged by whether the ray meets the body, and where both say that it does by its t: 0
-/// for the nearest double, -1 for a smaller one, 1 for a larger one.
+/// Judges three questions: the first face with its t, all faces with their t, and all faces. An answer is a list. An
+/// answer of the first t alone is judged by whether the ray meets the body. Where both say that it does, its t is 0 for
+/// the nearest double, -1 for a smaller one, 1 for a larger one.
 class Ray_page : public Page<levels::Rays> {
  public:
   auto relations() const { return ray_relations(); }
