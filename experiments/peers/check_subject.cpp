@@ -298,6 +298,14 @@ const std::vector<Kind> kinds = {
        talk.ask(0, 1, {}, near, Outcome::yes);
        const Pose beside = Pose::translation(3, 0.25, 0.25), beyond = Pose::translation(-1, 0.25, 0.25);
        const Question of = talk.usual();
+       talk.tell(2, verify::box({-9, -9, -9}, {19, 19, 19}));
+       const auto related = [](std::uint64_t a, std::uint64_t b, const Pose& pose) {
+         return [=](std::uint64_t ask) { return relation(ask, a, b, {}, pose); };
+       };
+       talk.ask_kind(Kind::relation, related(0, 1, beside), Outcome::yes, 0);
+       talk.ask_kind(Kind::relation, related(0, 1, near), Outcome::yes, 1);
+       talk.ask_kind(Kind::relation, related(0, 2, {}), Outcome::yes, 2);
+       talk.ask_kind(Kind::relation, related(2, 0, {}), Outcome::yes, 3);
        const auto at = [](const kernel::Vertex& point) {
          return [=](std::uint64_t ask) { return inside(ask, 0, point); };
        };

@@ -199,6 +199,7 @@ class Running_command : public verify::Running_subject {
 
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
+    if (program_.takes(Kind::relation)) return by_relation(c, question);
     return *ask(Kind::collide, c, question, [&](std::uint64_t ask, const auto& numbers) {
               return subject_lines::ask(ask, numbers[0], numbers[1], c.pose_a, c.pose_b, question);
             }).outcome;
@@ -236,6 +237,16 @@ class Running_command : public verify::Running_subject {
   std::uint64_t skipped_lines() const override { return program_.skipped_lines(); }
 
  private:
+  Outcome by_relation(const Object_case& c, kernel::Question question)
+  {
+    const Reply reply = ask(Kind::relation, c, question, [&](std::uint64_t ask, const auto& numbers) {
+      return subject_lines::relation(ask, numbers[0], numbers[1], c.pose_a, c.pose_b);
+    });
+    if (reply.outcome != Outcome::yes) return *reply.outcome;
+    const bool yes = question == kernel::Question::surface ? reply.value == 1 : reply.value != 0;
+    return yes ? Outcome::yes : Outcome::no;
+  }
+
   template <class Line>
   Reply ask(Kind kind, const Object_case& c, kernel::Question question, const Line& line)
   {

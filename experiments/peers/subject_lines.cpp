@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 namespace tetracone::experiments::subject_lines {
 namespace {
@@ -97,6 +98,7 @@ std::string text_at(const nlohmann::json& json, const char* key, const std::stri
 const char* form_of(Kind kind)
 {
   switch (kind) {
+    case Kind::relation: return "\"apart\", \"surfaces\", \"a_in_b\", \"b_in_a\" or null";
     case Kind::inside: return "-1, 0, 1 or null";
     case Kind::distance: return "a number from 0, or null";
     case Kind::ray: return "0, null, or 1 with \"t\", a number from 0";
@@ -121,6 +123,11 @@ Reply value_of(const nlohmann::json& json, const nlohmann::json& answer, Kind ki
   if (answer.is_null()) return {Outcome::not_asked, "", {}};
   if (kind == Kind::distance)
     return is_number(answer, 0, largest) ? Reply{Outcome::yes, "", {}, answer.get<double>()} : Reply{};
+  if (kind == Kind::relation) {
+    constexpr std::array<std::string_view, 4> relations = {"apart", "surfaces", "a_in_b", "b_in_a"};
+    const auto found = std::ranges::find(relations, answer.is_string() ? answer.get<std::string>() : "");
+    return found == relations.end() ? Reply{} : Reply{Outcome::yes, "", {}, double(found - relations.begin())};
+  }
   if (!answer.is_number_integer()) return {};
   if (kind == Kind::inside)
     return is_number(answer, -1, 1) ? Reply{Outcome::yes, "", {}, answer.get<double>()} : Reply{};
@@ -158,6 +165,7 @@ constexpr std::size_t most_faces_of_convex = 1000;
 const char* to_string(Kind kind)
 {
   switch (kind) {
+    case Kind::relation: return "relation";
     case Kind::within: return "within";
     case Kind::distance: return "distance";
     case Kind::inside: return "inside";
@@ -178,8 +186,8 @@ bool Hello::takes(Kind kind, kernel::Question of) const
   const auto names = [this](kernel::Question question) {
     return std::ranges::find(questions, kernel::to_string(question)) != questions.end();
   };
-  const bool is_open =
-      kind == Kind::collide ? questions.empty() : !names(kernel::Question::surface) && !names(kernel::Question::solid);
+  const bool is_open = kind == Kind::collide ? questions.empty() || takes(Kind::relation)
+                                             : !names(kernel::Question::surface) && !names(kernel::Question::solid);
   return takes(kind) && (is_open || names(of));
 }
 
@@ -260,6 +268,12 @@ std::string ask(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kerne
                 const kernel::Pose& pose_b, kernel::Question question)
 {
   return of_two(ask, a, b, pose_a, pose_b) + ",\"question\":\"" + std::string(kernel::to_string(question)) + "\"}\n";
+}
+
+std::string relation(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                     const kernel::Pose& pose_b)
+{
+  return of_two(ask, a, b, pose_a, pose_b) + question_text(Kind::relation);
 }
 
 std::string distance(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,

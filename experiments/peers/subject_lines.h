@@ -19,11 +19,12 @@
 /// decimals of doubles; other rationals are strings "n/d".
 namespace tetracone::experiments::subject_lines {
 
-/// What a subject can be asked. Two bodies: whether they collide, are at most so far apart, how far apart they are, and
-/// when they first meet in a linear motion. One body: where a point is, and where a ray first meets its surface.
-enum class Kind { collide, within, distance, inside, ray, first_contact };
-inline constexpr std::array all_kinds = {Kind::collide, Kind::within, Kind::distance,
-                                         Kind::inside,  Kind::ray,    Kind::first_contact};
+/// What a subject can be asked. Two bodies: whether they collide, which relation they have, whether they are at most so
+/// far apart, how far, and when they first meet in a linear motion. One body: where a point is, and where a ray first
+/// meets its surface.
+enum class Kind { collide, relation, within, distance, inside, ray, first_contact };
+inline constexpr std::array all_kinds = {Kind::collide, Kind::relation, Kind::within,       Kind::distance,
+                                         Kind::inside,  Kind::ray,      Kind::first_contact};
 
 /// Returns the name that hellos and lines have for it; that of `collide` is a question's instead.
 const char* to_string(Kind kind);
@@ -38,6 +39,7 @@ struct Hello {
   verify::In_floats in_floats = verify::In_floats::nothing;
 
   /// Kinds other than `collide` are taken where they are named, for surfaces and solids both where neither is named.
+  /// A relation answers both questions of `collide`.
   bool takes(Kind kind) const;
   bool takes(Kind kind, kernel::Question of) const;
   bool takes(const kernel::Pose& pose) const;
@@ -64,6 +66,10 @@ std::string forget(std::uint64_t number);
 std::string ask(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
                 const kernel::Pose& pose_b, kernel::Question question);
 
+/// An ask for the relation of two solids.
+std::string relation(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                     const kernel::Pose& pose_b);
+
 /// An ask for the distance, and whether it is at most `limit`, a double or a fraction "n/d".
 std::string distance(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
                      const kernel::Pose& pose_b, kernel::Question of);
@@ -88,7 +94,8 @@ struct Reply {
   std::optional<verify::Outcome> outcome;
   std::string wrong;                ///< what is wrong with the line, and what was expected
   std::optional<std::uint64_t> ns;  ///< the time that it says it took; what is no number from 0 is none
-  double value = 0;                 ///< the distance, the place of a point (-1, 0, 1), or the `t` of a yes
+  double value = 0;  ///< the distance, the place of a point (-1, 0, 1), the `t` of a yes, or a relation: 0 apart, 1
+                     ///< surfaces, 2 a_in_b, 3 b_in_a
 };
 
 /// Reads the line that answers the question with the number `ask`.

@@ -100,6 +100,14 @@ def boxes_apart(a, b):
     return any(low[0][k] > high[1][k] or low[1][k] > high[0][k] for k in range(3))
 
 
+def relation(a, b):
+    if boxes_apart(a, b):
+        return "apart"
+    if distance(a, b, "surface") == 0:
+        return "surfaces"
+    return "a_in_b" if inside(b, a[0][0]) > 0 else "b_in_a" if inside(a, b[0][0]) > 0 else "apart"
+
+
 def edges_meet_at(a, b, c, d, way):
     """When the second edge, moving by `way`, meets the first one."""
     u, v, w = sub(b, a), sub(d, c), sub(a, c)
@@ -143,6 +151,8 @@ def answer(m):
         first = min((t for t in times if t is not None and t >= 0), default=None)
         return {"answer": 0} if first is None else {"answer": 1, "t": first}
     a, b = placed(body, m["pose_a"]), placed(bodies[m["b"]], m["pose_b"])
+    if question == "relation":
+        return {"answer": relation(a, b)}
     if question == "distance":
         return {"answer": distance(a, b, m["of"])}
     if question == "within":
@@ -156,12 +166,12 @@ def answer(m):
             shift.append([end[k] - start[k] for k in (3, 7, 11)])
         t = first_contact(a, b, m["of"], sub(shift[1], shift[0]))
         return {"answer": 0} if t is None else {"answer": 1, "t": t}
-    return {"answer": int(not boxes_apart(a, b) and distance(a, b, question) == 0)}
+    return {"answer": int(relation(a, b) != "apart" if question == "solid" else relation(a, b) == "surfaces")}
 
 
 bodies = {}
 print(json.dumps({"hello": 1, "name": "Questions", "version": "1", "precision": "float64", "bodies": "closed",
-                  "questions": ["surface", "solid", "within", "distance", "inside", "ray", "first contact"]}), flush=True)
+                  "questions": ["relation", "within", "distance", "inside", "ray", "first contact"]}), flush=True)
 for line in sys.stdin:
     message = json.loads(line)
     if "model" in message:

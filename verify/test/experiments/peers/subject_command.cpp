@@ -288,11 +288,18 @@ BOOST_AUTO_TEST_CASE(a_program_is_asked_the_kinds_of_question_that_its_hello_nam
   auto subject = experiments::subject_command("mine", questions, 10s, experiments::require_command(questions, 10s));
   std::ostringstream out;
   BOOST_TEST(experiments::check_subject(questions, 10s, out), out.str());
-  for (const char* kind : {"within", "distance", "inside", "ray", "first contact"})
+  for (const char* kind : {"relation", "within", "distance", "inside", "ray", "first contact"})
     BOOST_TEST(out.str().find(std::string("takes  ") + kind) != std::string::npos, kind);
 
   BOOST_TEST(experiments::tells_distances(subject));
   const auto running = subject.make();
+  // A relation answers both questions: a cube in a cube has no common surface.
+  Object_case in_another = along(0);
+  in_another.b = std::make_shared<const covering::Polyhedron>(verify::box({-1, -1, -1}, {2, 2, 2}));
+  BOOST_TEST(((*running)(in_another, Question::surface) == Outcome::no));
+  BOOST_TEST(((*running)(in_another, Question::solid) == Outcome::yes));
+  BOOST_TEST(((*running)(along(1), Question::surface) == Outcome::yes));
+  BOOST_TEST(((*running)(along(1.5), Question::solid) == Outcome::no));
   const auto apart = along(3);
   const auto told = running->distance(apart, Question::solid);
   BOOST_TEST((told.outcome == Outcome::yes && told.answer.is_alone));
