@@ -188,11 +188,11 @@ void two_cubes(Talk& talk)
 }
 
 /// The talks, in turn; each begins with a new program.
-struct Kind {
+struct Talk_kind {
   const char* name;
   void (*hold)(Talk&);
 };
-const std::vector<Kind> kinds = {
+const std::vector<Talk_kind> kinds = {
     {"a first question is answered",
      [](Talk& talk) {
        two_cubes(talk);
@@ -380,7 +380,7 @@ bool check_subject(const std::string& command, std::chrono::milliseconds limit, 
   int answers = 0, declined = 0, wrong = 0;
   std::uint64_t skipped = 0;
   const Question usual = usual_question(Talk(command, limit, last, Question::surface));
-  for (const Kind& kind : kinds) {
+  for (const Talk_kind& kind : kinds) {
     Talk talk(command, limit, last, usual);
     try {
       if (Clock::now() >= last) throw Wrong{"the minute is over; expected quicker answers before"};
