@@ -1,5 +1,6 @@
 #include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
+#include "experiments/cli/subject_options.h"
 
 #include "experiments/accuracy/experiments.h"
 #include "experiments/queries/experiments.h"
@@ -19,6 +20,7 @@ namespace tetracone::experiments {
 namespace {
 
 struct Command_options : Experiment_options {
+  Subject_options others;
   std::string name;
   bool list = false;
 };
@@ -32,11 +34,11 @@ constexpr std::array experiments = {
     Experiment{
         "study",
         "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?",
-        "2 min", run_study, "--models --frames --rotations --seed --full"},
+        "2 min", run_study, "--models --frames --rotations --seed --full --subject-command"},
     Experiment{"contact-cost", "what does an exact answer cost where bodies touch, over double and FCL?", "20 s",
                run_contact_cost, "--models --rotations --seed"},
     Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "4 min",
-               run_peers, "--models --race-frames --race-seconds --seed --full"},
+               run_peers, "--models --race-frames --race-seconds --seed --full --subject-command"},
     Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min",
                run_scaling, "--models --race-frames --race-seconds --seed --full"},
     Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min",
@@ -97,8 +99,14 @@ void run_experiment(const CLI::App& command, Command_options options)
     throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
   if (options.out.native().find('\'') != std::string::npos)
     throw CLI::ValidationError("--out", "expected a name without '");
-  again() = "build/tetracone experiment " + options.name + " --out out" +
-            words_of(command, CLI::detail::split(chosen->options, ' '));
+  auto words = CLI::detail::split(chosen->options, ' ');
+  if (!options.others.commands.empty()) {
+    if (std::ranges::find(words, "--subject-command") == words.end())
+      throw CLI::ValidationError("--subject-command", "expected the experiment study or peers");
+    words.emplace_back("--subject-limit");
+    options.programs = command_subjects(options.others, verify::object_subjects());
+  }
+  again() = "build/tetracone experiment " + options.name + " --out out" + words_of(command, words);
   if (options.models.empty()) options.models = TETRACONE_SOURCE_DIR "/.cache/models";
   chosen->run(options);
 }
@@ -145,6 +153,7 @@ void add_experiment_command(CLI::App& app)
   command->add_flag("--full", options->full,
                     "Twenty times as many poses or cases, motion fifty times; peers and scaling: larger objects; "
                     "ablation and paper: all poses; stability: more ways");
+  add_subject_options(*command, options->others);
   command->add_flag("--rows-alone", options->rows_alone, "study: no report, which `tetracone report` draws too");
   command->footer(
       "Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study "

@@ -11,7 +11,7 @@
 
 namespace tetracone::experiments {
 
-/// The options by which `verify`, `fuzz` and `collide` accept external methods.
+/// The options by which `verify`, `fuzz`, `collide` and `experiment` accept external methods.
 struct Subject_options {
   std::vector<std::string> commands;  ///< NAME=COMMAND
   double limit = 10;                  ///< seconds for an answer

@@ -98,6 +98,24 @@ auto subjects_of(const std::string& self, bool certificates)
   return subjects;
 }
 
+/// Adds programs to a level whose questions they take; each to that of bodies that collide, which records it.
+template <class Level>
+void add_commands(const std::vector<verify::Object_subject>& commands, std::chrono::milliseconds limit,
+                  Asked<Level>& asked)
+{
+  const auto add = [&asked](auto&& subject) {
+    if (subject) asked.subjects.push_back(*std::move(subject));
+  };
+  for (const verify::Object_subject& command : commands) {
+    if constexpr (std::is_same_v<Level, verify::levels::Objects>) asked.subjects.push_back(command);
+    if constexpr (std::is_same_v<Level, verify::levels::Distances>)
+      if (tells_distances(command)) asked.subjects.push_back(command);
+    if constexpr (std::is_same_v<Level, verify::levels::Points>) add(point_command(command, limit));
+    if constexpr (std::is_same_v<Level, verify::levels::Rays>) add(ray_command(command, limit));
+    if constexpr (std::is_same_v<Level, verify::levels::Motions>) add(motion_command(command, limit));
+  }
+}
+
 void choose_subjects(const Verify_options& options, Campaign& campaign)
 {
   const std::string self = std::filesystem::read_symlink("/proc/self/exe").native();
@@ -110,10 +128,9 @@ void choose_subjects(const Verify_options& options, Campaign& campaign)
     const bool is_first = Level::name == "predicate" || Level::name == "object" || Level::name == "features";
     if (is_first || asked.is_asked)
       asked.subjects = chosen(subjects_of<Level>(self, options.certificates), options.subjects, known);
+    if (Level::name == "object" || asked.is_asked) add_commands(commands, options.others.limit_ms(), asked);
     asked.is_asked = asked.is_asked && (is_first || !asked.subjects.empty());
   });
-  auto& asked_objects = campaign.at<verify::levels::Objects>().subjects;
-  asked_objects.insert(asked_objects.end(), commands.begin(), commands.end());
   for (const std::string& name : options.subjects)
     if (!known.contains(name)) {
       std::string list;

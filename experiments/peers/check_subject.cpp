@@ -2,9 +2,11 @@
 
 #include "experiments/peers/command_process.h"
 #include "experiments/peers/subject_lines.h"
+#include "tetracone/kernel/number/number.h"
 #include "verify/cases/shape_generators.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -68,6 +70,20 @@ class Talk {
               std::optional<Outcome> truth = {})
   {
     return ask(a, b, pose_a, pose_b, truth, usual_);
+  }
+
+  /// Asks a question of another kind, where the hello names it. `line` is the ask with the number that it is given, and
+  /// `value` the number that the answer carries, as nobody gets it wrong by more than a hundredth.
+  template <class Line>
+  void ask_kind(subject_lines::Kind kind, const Line& line, Outcome truth, double value = 0)
+  {
+    if (!hello_ || !hello_->takes(kind)) return;
+    tell(line(++asks_));
+    const subject_lines::Reply reply = subject_lines::read(next_line(), asks_, kind);
+    const Outcome outcome = judged(reply, truth);
+    if (outcome == Outcome::yes && !(std::abs(reply.value - value) <= 0.01))
+      throw Wrong{"the answer to '" + std::string(to_string(kind)) + "' is " + kernel::shortest(reply.value) +
+                  "; expected " + kernel::shortest(value)};
   }
 
   /// Asks two placements of the bodies 0 and 1 in one line, if the program takes batches.
@@ -172,11 +188,11 @@ void two_cubes(Talk& talk)
 }
 
 /// The talks, in turn; each begins with a new program.
-struct Kind {
+struct Talk_kind {
   const char* name;
   void (*hold)(Talk&);
 };
-const std::vector<Kind> kinds = {
+const std::vector<Talk_kind> kinds = {
     {"a first question is answered",
      [](Talk& talk) {
        two_cubes(talk);
@@ -275,6 +291,44 @@ const std::vector<Kind> kinds = {
        talk.ask(0, 1, {}, near, Outcome::yes);
        talk.ask_batch(near, far);
      }},
+    {"other kinds of question, where its hello names them",
+     [](Talk& talk) {
+       using namespace subject_lines;
+       two_cubes(talk);
+       talk.ask(0, 1, {}, near, Outcome::yes);
+       const Pose beside = Pose::translation(3, 0.25, 0.25), beyond = Pose::translation(-1, 0.25, 0.25);
+       const Question of = talk.usual();
+       talk.tell(2, verify::box({-9, -9, -9}, {19, 19, 19}));
+       const auto related = [](std::uint64_t a, std::uint64_t b, const Pose& pose) {
+         return [=](std::uint64_t ask) { return relation(ask, a, b, {}, pose); };
+       };
+       talk.ask_kind(Kind::relation, related(0, 1, beside), Outcome::yes, 0);
+       talk.ask_kind(Kind::relation, related(0, 1, near), Outcome::yes, 1);
+       talk.ask_kind(Kind::relation, related(0, 2, {}), Outcome::yes, 2);
+       talk.ask_kind(Kind::relation, related(2, 0, {}), Outcome::yes, 3);
+       const auto at = [](const kernel::Vertex& point) {
+         return [=](std::uint64_t ask) { return inside(ask, 0, point); };
+       };
+       talk.ask_kind(Kind::inside, at({0.5, 0.25, 0.25}), Outcome::yes, 1);
+       talk.ask_kind(Kind::inside, at({3, 0.25, 0.25}), Outcome::yes, -1);
+       const auto towards = [](double x) {
+         return [=](std::uint64_t ask) { return ray(ask, 0, {-1, 0.25, 0.375}, {x, 0, 0}); };
+       };
+       talk.ask_kind(Kind::ray, towards(2), Outcome::yes, 0.5);
+       talk.ask_kind(Kind::ray, towards(-2), Outcome::no);
+       talk.ask_kind(
+           Kind::distance, [&](std::uint64_t ask) { return distance(ask, 0, 1, {}, beside, of); }, Outcome::yes, 2);
+       const auto limit = [&](const char* text) {
+         return [=](std::uint64_t ask) { return within(ask, 0, 1, {}, beside, of, text); };
+       };
+       talk.ask_kind(Kind::within, limit("2.5"), Outcome::yes);
+       talk.ask_kind(Kind::within, limit("4/3"), Outcome::no);
+       const auto moves = [&](const Pose& from, const Pose& to) {
+         return [=](std::uint64_t ask) { return first_contact(ask, 0, 1, {Pose(), Pose()}, {from, to}, of); };
+       };
+       talk.ask_kind(Kind::first_contact, moves(beside, beyond), Outcome::yes, 0.5);
+       talk.ask_kind(Kind::first_contact, moves(beside, Pose::translation(9, 0, 0)), Outcome::no);
+     }},
     {"the end of its input is its end",
      [](Talk& talk) {
        two_cubes(talk);
@@ -301,6 +355,9 @@ void tell_what_it_takes(Talk& talk, std::ostream& out)
       if (is_taken) kinds += (kinds.empty() ? "" : ", ") + std::string(kind);
     out << "takes  " << kernel::to_string(question) << ": " << (kinds.empty() ? "nothing" : kinds) << '\n';
   }
+  for (const subject_lines::Kind kind : subject_lines::all_kinds)
+    if (kind != subject_lines::Kind::collide && talk.hello() && talk.hello()->takes(kind))
+      out << "takes  " << to_string(kind) << '\n';
   if (talk.hello()) out << "says   " << talk.hello()->text << '\n';
 }
 
@@ -323,7 +380,7 @@ bool check_subject(const std::string& command, std::chrono::milliseconds limit, 
   int answers = 0, declined = 0, wrong = 0;
   std::uint64_t skipped = 0;
   const Question usual = usual_question(Talk(command, limit, last, Question::surface));
-  for (const Kind& kind : kinds) {
+  for (const Talk_kind& kind : kinds) {
     Talk talk(command, limit, last, usual);
     try {
       if (Clock::now() >= last) throw Wrong{"the minute is over; expected quicker answers before"};

@@ -2,36 +2,16 @@
 
 #include "experiments/peers/depth_peer.h"
 #include "experiments/peers/scene_peer.h"
-#include "tetracone/covering/planarity.h"
-#include "tetracone/covering/repair/repair.h"
+#include "verify/subjects/float_input.h"
 
 #include <cmath>
 #include <utility>
 
 namespace tetracone::experiments {
 
-std::optional<Triangles> peer_triangles(const covering::Polyhedron& polyhedron)
-{
-  Triangles triangles;
-  for (covering::Index f = 0; f < polyhedron.face_count(); ++f) {
-    if (polyhedron.is_triangle(f)) {
-      const auto loop = polyhedron.loop(f, 0);
-      triangles.push_back({loop[0], loop[1], loop[2]});
-      continue;
-    }
-    auto parts = covering::repair::constrained_delaunay(polyhedron, f);
-    if (!parts && covering::planarity(polyhedron, f) == covering::Planarity::degenerate)
-      parts = covering::repair::fan(polyhedron, f);
-    if (!parts) return std::nullopt;
-    triangles.insert(triangles.end(), parts->begin(), parts->end());
-  }
-  if (triangles.empty()) return std::nullopt;
-  return triangles;
-}
-
 std::optional<Peer_mesh> peer_mesh(const covering::Polyhedron& polyhedron)
 {
-  auto triangles = peer_triangles(polyhedron);
+  auto triangles = verify::triangles_of(polyhedron);
   if (!triangles) return std::nullopt;
   Peer_mesh mesh;
   mesh.triangles = std::move(*triangles);
@@ -73,7 +53,7 @@ const std::vector<Peer>& peers()
       {"Bullet GImpact",
        "Bullet, GImpact meshes, margin 0: surfaces only, so a solid inside a solid is missed; float, and near counts "
        "as touching",
-       verify::Knows::surfaces, prepare_bullet},
+       verify::Knows::surfaces, prepare_bullet, verify::In_floats::vertices_and_poses},
 #endif
 #ifdef TETRACONE_WITH_ODE
       {"ODE trimesh",

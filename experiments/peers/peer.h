@@ -21,14 +21,7 @@ struct Peer_mesh {
   std::vector<std::array<covering::Index, 3>> triangles;
 };
 
-using Triangles = std::vector<std::array<covering::Index, 3>>;
-
-/// Returns the polyhedron's faces triangulated by constrained Delaunay triangulation, a degenerate face by a fan.
-/// Nothing when a face cannot be triangulated (its loops touch themselves or each other), or there is no triangle at
-/// all.
-std::optional<Triangles> peer_triangles(const covering::Polyhedron& polyhedron);
-
-/// Returns those triangles with only the vertices that they use; nothing where there are none.
+/// Returns the triangles of `verify::triangles_of` with only the vertices that they use; nothing where there are none.
 std::optional<Peer_mesh> peer_mesh(const covering::Polyhedron& polyhedron);
 
 /// True when the pose's doubles are a rotation and a translation: rows orthonormal to 1e-9, and no reflection.
@@ -42,6 +35,7 @@ struct Peer {
 
   /// Null when the peer does not take such meshes.
   std::unique_ptr<Prepared_pair> (*prepare)(const Peer_mesh& a, const Peer_mesh& b);
+  verify::In_floats in_floats = verify::In_floats::nothing;
 };
 
 /// Returns the peers that the program was built with; CGAL's always exist.

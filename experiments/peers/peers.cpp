@@ -183,10 +183,11 @@ class Running_motion_peer : public verify::Running_motion {
 };
 
 verify::Object_subject subject(const std::string& program, const std::string& name, const std::string& note,
-                               verify::Knows knows, std::chrono::milliseconds limit)
+                               verify::Knows knows, std::chrono::milliseconds limit,
+                               verify::In_floats in_floats = verify::In_floats::nothing)
 {
   return {name, false, note, std::nullopt, [=] { return std::make_unique<Running_peer>(program, name, knows, limit); },
-          "",   "",    "",   knows};
+          "",   "",    "",   knows,        in_floats};
 }
 
 }  // namespace
@@ -195,7 +196,7 @@ verify::Object_subject peer_subject(const std::string& program, const std::strin
                                     std::chrono::milliseconds limit)
 {
   for (const Peer& peer : peers())
-    if (peer.name == name) return subject(program, name, peer.note, peer.knows, limit);
+    if (peer.name == name) return subject(program, name, peer.note, peer.knows, limit, peer.in_floats);
   return subject(program, name, "", verify::Knows::both, limit);  // for the worker to know
 }
 

@@ -7,16 +7,28 @@
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 
 namespace tetracone::experiments {
+
+/// A pair that gives no answer to a pose: it declines or fails.
+struct No_answer : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// Two bodies, prepared once by a contestant or a peer and asked under many poses.
 class Prepared_pair {
  public:
   virtual ~Prepared_pair() = default;
 
-  /// Returns the answer. A peer requires rigid poses, and rounds fractions to the nearest double.
+  /// Returns the answer. A peer requires rigid poses, and rounds fractions to the nearest double. A program throws
+  /// `No_answer` where it gives none.
   virtual bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) = 0;
+
+  /// Returns the nanoseconds of the last answer by the pair's own clock, NaN where it told none; nothing for a pair
+  /// that the caller times.
+  virtual std::optional<double> own_ns() const { return std::nullopt; }
 
   /// Returns the work since the last call, and the number of nodes built so far; nothing for a peer.
   virtual tetratree::Query_statistics take_counts() { return {}; }

@@ -1,13 +1,19 @@
 #include "experiments/peers/subject_command.h"
 
 #include "experiments/peers/command_process.h"
+#include "tetracone/kernel/number/number.h"
 #include "verify/cases/shape_generators.h"
+#include "verify/truth/moving_bodies_truth.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -16,6 +22,8 @@
 namespace tetracone::experiments {
 namespace {
 
+using subject_lines::Kind;
+using subject_lines::Reply;
 using verify::Object_case;
 using verify::Outcome;
 using Clock = std::chrono::steady_clock;
@@ -40,21 +48,34 @@ class Pace {
   std::array<std::atomic<int>, 65> time_outs_{}, answers_{};
 };
 
-/// A subject's program at work.
-class Running_command : public verify::Running_subject {
+/// A subject's program at work. It answers any kind of question about bodies.
+class Program {
  public:
-  Running_command(std::string command, std::chrono::milliseconds limit, std::optional<subject_lines::Hello> hello,
-                  std::shared_ptr<Pace> pace)
+  Program(std::string command, std::chrono::milliseconds limit, std::optional<subject_lines::Hello> hello,
+          std::shared_ptr<Pace> pace)
       : command_(std::move(command)), limit_(limit), hello_(std::move(hello)), pace_(std::move(pace))
   {}
 
-  Outcome operator()(const Object_case& c, kernel::Question question) override
+  bool takes(Kind kind) const { return hello_ ? hello_->takes(kind) : kind == Kind::collide; }
+
+  /// True when the hello takes the question in these poses.
+  bool takes(Kind kind, kernel::Question question, std::initializer_list<const kernel::Pose*> poses) const
   {
-    spent_.reset();
-    skipped_ = 0;
-    const std::size_t faces = c.a->face_count() + c.b->face_count();
-    why_not_ = !takes(c, question) ? "not taken" : pace_->is_too_slow(faces) ? "too slow" : "declined";
-    if (why_not_ != "declined") return Outcome::not_asked;
+    if (!takes(kind)) return false;
+    return !hello_ || (hello_->takes(kind, question) &&
+                       std::ranges::all_of(poses, [this](const kernel::Pose* pose) { return hello_->takes(*pose); }));
+  }
+
+  /// Asks a question that is taken, unless the hello does not take the bodies. `line(ask, numbers)` writes it, with the
+  /// bodies' numbers. The reply has an outcome.
+  template <class Line>
+  Reply ask(Kind kind, const std::vector<Body>& bodies, const Line& line)
+  {
+    begin();
+    std::size_t faces = 0;
+    for (const Body& body : bodies) faces += body->face_count();
+    why_not_ = !takes(bodies) ? "not taken" : pace_->is_too_slow(faces) ? "too slow" : "declined";
+    if (why_not_ != "declined") return {Outcome::not_asked, "", {}};
     const auto start = Clock::now();
     const bool is_new = !process_;
     if (is_new) {
@@ -62,37 +83,51 @@ class Running_command : public verify::Running_subject {
       announced_.clear();
     }
     const auto deadline = start + limit_ + (is_new ? start_ : Clock::duration::zero());
-    std::string wrong_line;
-    const auto outcome = ask(c, question, deadline, wrong_line);
-    if (!outcome) {
-      tell_failure(wrong_line);
+    Reply reply = answer(kind, bodies, line, deadline);
+    if (!reply.outcome) {
+      tell_failure(reply.wrong);
       if (failure_.how == silent) pace_->add(faces, true);
       process_.reset();
       // A program that does not start is not waited for as long each time.
       if (is_new) start_ = std::min(start_, std::max<Clock::duration>(start_ / 4, std::chrono::seconds(1)));
-      return Outcome::failed;
+      reply.outcome = Outcome::failed;
+      return reply;
     }
     pace_->add(faces, false);
     if (is_new) start_ = std::min<Clock::duration>(start_, 2 * (Clock::now() - start) + std::chrono::seconds(1));
-    return *outcome;
+    if (reply.ns) spent_ = verify::Spent{{}, *reply.ns};
+    return reply;
   }
 
-  /// Only what the program itself tells: our clock would add the pipe and the reading of lines.
-  std::optional<verify::Spent> spent() const override { return spent_; }
-  verify::Failure failure() const override { return failure_; }
-  std::string why_not_asked() const override { return why_not_; }
-  std::uint64_t skipped_lines() const override { return skipped_; }
+  /// Declines for the program what its hello does not take.
+  Reply not_taken()
+  {
+    begin();
+    why_not_ = "not taken";
+    return {Outcome::not_asked, "", {}};
+  }
+
+  // These are about the last question.
+  const std::optional<verify::Spent>& spent() const { return spent_; }
+  const verify::Failure& failure() const { return failure_; }
+  const std::string& why_not_asked() const { return why_not_; }
+  std::uint64_t skipped_lines() const { return skipped_; }
 
  private:
   static constexpr const char* silent = "silent";
 
-  /// True when the hello takes the case; of bodies the last two decisions are kept.
-  bool takes(const Object_case& c, kernel::Question question)
+  void begin()
+  {
+    spent_.reset();
+    skipped_ = 0;
+  }
+
+  /// True when the hello takes the bodies; the last two decisions are kept.
+  bool takes(const std::vector<Body>& bodies)
   {
     if (!hello_) return true;
-    if (!hello_->takes(question) || !hello_->takes(c.pose_a) || !hello_->takes(c.pose_b)) return false;
-    std::erase_if(taken_, [&](const auto& known) { return known.first != c.a && known.first != c.b; });
-    return std::ranges::all_of(std::array{c.a, c.b}, [this](const Body& body) {
+    std::erase_if(taken_, [&](const auto& known) { return std::ranges::find(bodies, known.first) == bodies.end(); });
+    return std::ranges::all_of(bodies, [this](const Body& body) {
       for (const auto& [known, is_taken] : taken_)
         if (known == body) return is_taken;
       return taken_.emplace_back(body, hello_->takes(*body)).second;
@@ -113,26 +148,23 @@ class Running_command : public verify::Running_subject {
     }
   }
 
-  /// Nothing for a failure; `wrong_line` says what is wrong where a line came.
-  std::optional<Outcome> ask(const Object_case& c, kernel::Question question, Clock::time_point deadline,
-                             std::string& wrong_line)
+  /// No outcome for a failure; `wrong` says what is wrong where a line came.
+  template <class Line>
+  Reply answer(Kind kind, const std::vector<Body>& bodies, const Line& line, Clock::time_point deadline)
   {
     std::string lines;
     std::erase_if(announced_, [&](const auto& known) {
-      if (known.first == c.a || known.first == c.b) return false;
+      if (std::ranges::find(bodies, known.first) != bodies.end()) return false;
       lines += subject_lines::forget(known.second);
       return true;
     });
-    const std::uint64_t a = number_of(c.a, lines), b = number_of(c.b, lines);
-    lines += subject_lines::ask(++asks_, a, b, c.pose_a, c.pose_b, question);
-    if (!process_->send(lines, deadline)) return std::nullopt;
-    auto line = subject_lines::next_object(*process_, deadline, skipped_);
-    if (line && subject_lines::read_hello(*line)) line = subject_lines::next_object(*process_, deadline, skipped_);
-    if (!line) return std::nullopt;
-    subject_lines::Reply reply = subject_lines::read(*line, asks_);
-    if (reply.ns) spent_ = verify::Spent{{}, *reply.ns};
-    wrong_line = std::move(reply.wrong);
-    return reply.outcome;
+    std::vector<std::uint64_t> numbers;
+    for (const Body& body : bodies) numbers.push_back(number_of(body, lines));
+    lines += line(++asks_, numbers);
+    if (!process_->send(lines, deadline)) return {};
+    auto told = subject_lines::next_object(*process_, deadline, skipped_);
+    if (told && subject_lines::read_hello(*told)) told = subject_lines::next_object(*process_, deadline, skipped_);
+    return told ? subject_lines::read(*told, asks_, kind) : Reply{};
   }
 
   /// The body's number; a line for it where the program does not have it.
@@ -160,20 +192,200 @@ class Running_command : public verify::Running_subject {
   std::uint64_t skipped_ = 0;
 };
 
+/// Asked about two bodies.
+class Running_command : public verify::Running_subject {
+ public:
+  explicit Running_command(Program program) : program_(std::move(program)) {}
+
+  Outcome operator()(const Object_case& c, kernel::Question question) override
+  {
+    if (program_.takes(Kind::relation)) return by_relation(c, question);
+    return *ask(Kind::collide, c, question, [&](std::uint64_t ask, const auto& numbers) {
+              return subject_lines::ask(ask, numbers[0], numbers[1], c.pose_a, c.pose_b, question);
+            }).outcome;
+  }
+
+  verify::Told<verify::Distance_answer> distance(const Object_case& c, kernel::Question question) override
+  {
+    verify::Distance_answer answer;
+    answer.alone = std::numeric_limits<double>::quiet_NaN();
+    answer.is_alone = true;
+    if (!program_.takes(Kind::distance) && program_.takes(Kind::within, question, {&c.pose_a, &c.pose_b}))
+      return {Outcome::yes, answer};
+    const Reply reply = ask(Kind::distance, c, question, [&](std::uint64_t ask, const auto& numbers) {
+      return subject_lines::distance(ask, numbers[0], numbers[1], c.pose_a, c.pose_b, question);
+    });
+    if (reply.outcome == Outcome::yes) answer.alone = reply.value;
+    return {*reply.outcome, answer, program_.spent()};
+  }
+
+  Outcome within(const Object_case& c, kernel::Question question, const std::string& limit) override
+  {
+    const auto number = kernel::parse_number(limit);
+    const double nearest = number ? kernel::nearest_double(*number) : 0;
+    const bool is_double = number && kernel::Rational(nearest) == *number;
+    return *ask(Kind::within, c, question, [&](std::uint64_t ask, const auto& numbers) {
+              return subject_lines::within(ask, numbers[0], numbers[1], c.pose_a, c.pose_b, question,
+                                           is_double ? kernel::shortest(nearest) : limit);
+            }).outcome;
+  }
+
+  /// Only what the program itself tells: our clock would add the pipe and the reading of lines.
+  std::optional<verify::Spent> spent() const override { return program_.spent(); }
+  verify::Failure failure() const override { return program_.failure(); }
+  std::string why_not_asked() const override { return program_.why_not_asked(); }
+  std::uint64_t skipped_lines() const override { return program_.skipped_lines(); }
+
+ private:
+  Outcome by_relation(const Object_case& c, kernel::Question question)
+  {
+    const Reply reply = ask(Kind::relation, c, question, [&](std::uint64_t ask, const auto& numbers) {
+      return subject_lines::relation(ask, numbers[0], numbers[1], c.pose_a, c.pose_b);
+    });
+    if (reply.outcome != Outcome::yes) return *reply.outcome;
+    const bool yes = question == kernel::Question::surface ? reply.value == 1 : reply.value != 0;
+    return yes ? Outcome::yes : Outcome::no;
+  }
+
+  template <class Line>
+  Reply ask(Kind kind, const Object_case& c, kernel::Question question, const Line& line)
+  {
+    if (!program_.takes(kind, question, {&c.pose_a, &c.pose_b})) return program_.not_taken();
+    return program_.ask(kind, {c.a, c.b}, line);
+  }
+
+  Program program_;
+};
+
+/// Asked where a point is.
+class Running_command_points : public verify::Running_points {
+ public:
+  explicit Running_command_points(Program program) : program_(std::move(program)) {}
+
+  verify::Told<int> operator()(const verify::Probe_case& c) override
+  {
+    const Reply reply = program_.ask(Kind::inside, {c.body}, [&](std::uint64_t ask, const auto& numbers) {
+      return subject_lines::inside(ask, numbers[0], c.from);
+    });
+    return {*reply.outcome, int(reply.value), program_.spent()};
+  }
+
+ private:
+  Program program_;
+};
+
+/// Asked where a ray first meets the surface.
+class Running_command_rays : public verify::Running_rays {
+ public:
+  explicit Running_command_rays(Program program) : program_(std::move(program)) {}
+
+  verify::Told<verify::Ray_answer> operator()(const verify::Probe_case& c) override
+  {
+    const Reply reply = program_.ask(Kind::ray, {c.body}, [&](std::uint64_t ask, const auto& numbers) {
+      return subject_lines::ray(ask, numbers[0], c.from, c.direction);
+    });
+    verify::Ray_answer answer;
+    answer.is_first_t = true;
+    if (reply.outcome == Outcome::yes) answer.first = verify::Ray_hit{0, reply.value};
+    // That a ray meets nothing is an answer, too.
+    return {reply.outcome == Outcome::no ? Outcome::yes : *reply.outcome, answer, program_.spent()};
+  }
+
+ private:
+  Program program_;
+};
+
+/// Asked when two bodies first meet in a linear motion. A rigid motion that does not turn is linear.
+class Running_command_motion : public verify::Running_motion {
+ public:
+  explicit Running_command_motion(Program program) : program_(std::move(program)) {}
+
+  verify::Told_contact operator()(const verify::Moving_bodies& c, kernel::Question question) override
+  {
+    if (c.is_rigid() && (turns(c.motion_a) || turns(c.motion_b))) return {Outcome::not_asked};
+    verify::Moving_bodies back = c;
+    std::swap(back.motion_a[0], back.motion_a[1]);
+    std::swap(back.motion_b[0], back.motion_b[1]);
+    const Object_case start = verify::at_start(c), end = verify::at_start(back);
+    if (!program_.takes(Kind::first_contact, question, {&start.pose_a, &start.pose_b, &end.pose_a, &end.pose_b}))
+      return {Outcome::not_asked};
+    const Reply reply =
+        program_.ask(Kind::first_contact, {start.a, start.b}, [&](std::uint64_t ask, const auto& numbers) {
+          return subject_lines::first_contact(ask, numbers[0], numbers[1], {start.pose_a, end.pose_a},
+                                              {start.pose_b, end.pose_b}, question);
+        });
+    return {*reply.outcome, {reply.value, reply.value}, program_.spent()};
+  }
+
+ private:
+  static bool turns(const verify::Motion_ends& ends)
+  {
+    return !std::equal(ends[0].begin(), ends[0].begin() + 4, ends[1].begin());
+  }
+
+  Program program_;
+};
+
+/// The program of a subject; its pace is shared by all threads.
+std::function<Program()> program_of(const verify::Object_subject& subject, std::chrono::milliseconds limit)
+{
+  const auto pace = std::make_shared<Pace>();
+  return [command = subject.command, limit, hello = subject_lines::read_hello(subject.hello), pace] {
+    return Program(command, limit, hello, pace);
+  };
+}
+
+/// The program as a subject of one kind of question, where its hello names it.
+template <class Running, class Subject>
+std::optional<Subject> of_kind(Kind kind, const verify::Object_subject& subject, std::chrono::milliseconds limit)
+{
+  const auto hello = subject_lines::read_hello(subject.hello);
+  if (!hello || !hello->takes(kind)) return std::nullopt;
+  return Subject{subject.name, false, subject.note,
+                 [make = program_of(subject, limit)] { return std::make_unique<Running>(make()); }};
+}
+
 }  // namespace
 
 verify::Object_subject subject_command(const std::string& name, const std::string& command,
                                        std::chrono::milliseconds limit,
                                        const std::optional<subject_lines::Hello>& hello)
 {
-  const auto pace = std::make_shared<Pace>();
-  return {name,
-          false,
-          "somebody else's program",
-          std::nullopt,
-          [=] { return std::make_unique<Running_command>(command, limit, hello, pace); },
-          command,
-          hello ? hello->text : ""};
+  verify::Object_subject subject{name,
+                                 false,
+                                 "somebody else's program",
+                                 std::nullopt,
+                                 {},
+                                 command,
+                                 hello ? hello->text : "",
+                                 "",
+                                 verify::Knows::both,
+                                 hello ? hello->in_floats : verify::In_floats::nothing};
+  subject.make = [make = program_of(subject, limit)] { return std::make_unique<Running_command>(make()); };
+  return subject;
+}
+
+bool tells_distances(const verify::Object_subject& subject)
+{
+  const auto hello = subject_lines::read_hello(subject.hello);
+  return hello && (hello->takes(Kind::distance) || hello->takes(Kind::within));
+}
+
+std::optional<verify::Point_subject> point_command(const verify::Object_subject& subject,
+                                                   std::chrono::milliseconds limit)
+{
+  return of_kind<Running_command_points, verify::Point_subject>(Kind::inside, subject, limit);
+}
+
+std::optional<verify::Ray_subject> ray_command(const verify::Object_subject& subject, std::chrono::milliseconds limit)
+{
+  return of_kind<Running_command_rays, verify::Ray_subject>(Kind::ray, subject, limit);
+}
+
+std::optional<verify::Moving_bodies_subject> motion_command(const verify::Object_subject& subject,
+                                                            std::chrono::milliseconds limit)
+{
+  return of_kind<Running_command_motion, verify::Moving_bodies_subject>(Kind::first_contact, subject, limit);
 }
 
 std::optional<subject_lines::Hello> require_command(const std::string& command, std::chrono::milliseconds limit)

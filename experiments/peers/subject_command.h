@@ -2,7 +2,9 @@
 #define TETRACONE_EXPERIMENTS_PEERS_SUBJECT_COMMAND_H
 
 #include "experiments/peers/subject_lines.h"
+#include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/object_subject.h"
+#include "verify/subjects/probe_subject.h"
 
 #include <chrono>
 #include <optional>
@@ -22,6 +24,17 @@ constexpr std::chrono::seconds longest_start{30};
 verify::Object_subject subject_command(const std::string& name, const std::string& command,
                                        std::chrono::milliseconds limit,
                                        const std::optional<subject_lines::Hello>& hello = std::nullopt);
+
+/// True when the subject's hello names the distance or `within`.
+bool tells_distances(const verify::Object_subject& subject);
+
+/// Returns the same program as a subject of points, rays and linear motions; nothing where its hello does not name
+/// these. Motions that turn are not asked. Its answer is one number: a place, or the first t.
+std::optional<verify::Point_subject> point_command(const verify::Object_subject& subject,
+                                                   std::chrono::milliseconds limit);
+std::optional<verify::Ray_subject> ray_command(const verify::Object_subject& subject, std::chrono::milliseconds limit);
+std::optional<verify::Moving_bodies_subject> motion_command(const verify::Object_subject& subject,
+                                                            std::chrono::milliseconds limit);
 
 /// Returns the program's hello, if it begins with one. Throws std::runtime_error when the shell cannot run the command:
 /// it is asked one question and ends with status 126 or 127. The campaign counts any other failure.

@@ -1,6 +1,5 @@
 #include "experiments/peers/subject_lines.h"
 
-#include "experiments/peers/peer.h"
 #include "tetracone/covering/check.h"
 #include "tetracone/kernel/motion/rotation_quaternion.h"
 #include "tetracone/kernel/number/number.h"
@@ -9,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <string_view>
 
 namespace tetracone::experiments::subject_lines {
 namespace {
@@ -25,14 +26,18 @@ void list(std::string& text, std::size_t count, const Write& write)
   text += ']';
 }
 
+/// A number; a fraction as a string.
+std::string number_text(const std::string& number)
+{
+  return number.find('/') == std::string::npos ? number : '"' + number + '"';
+}
+
 std::string pose_text(const kernel::Pose& pose)
 {
   std::string text;
   list(text, 12, [&](std::size_t k) {
     const int entry = int(k);
-    const std::string number =
-        pose.is_rational() ? kernel::exact_text(pose.exact(entry)) : kernel::shortest(pose[entry]);
-    text += number.find('/') == std::string::npos ? number : '"' + number + '"';
+    text += number_text(pose.is_rational() ? kernel::exact_text(pose.exact(entry)) : kernel::shortest(pose[entry]));
   });
   return text;
 }
@@ -45,6 +50,32 @@ std::string rigid_text(const char* key, const kernel::Pose& pose)
   std::string text = std::string(",\"") + key + "\":";
   list(text, motion->size(), [&](std::size_t k) { text += kernel::shortest((*motion)[k]); });
   return text;
+}
+
+std::string vertex_text(const kernel::Vertex& v)
+{
+  std::string text;
+  list(text, 3, [&](std::size_t k) { text += kernel::shortest(v[k]); });
+  return text;
+}
+
+/// The first keys of an ask about one body, and about two.
+std::string of_one(std::uint64_t ask, std::uint64_t a)
+{
+  return "{\"ask\":" + std::to_string(ask) + ",\"a\":" + std::to_string(a);
+}
+std::string of_two(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                   const kernel::Pose& pose_b)
+{
+  return of_one(ask, a) + ",\"b\":" + std::to_string(b) + ",\"pose_a\":" + pose_text(pose_a) +
+         ",\"pose_b\":" + pose_text(pose_b) + rigid_text("rigid_a", pose_a) + rigid_text("rigid_b", pose_b);
+}
+
+/// The last key of an ask, its end included; before it whether the bodies are surfaces or solids.
+std::string question_text(Kind kind) { return ",\"question\":\"" + std::string(to_string(kind)) + "\"}\n"; }
+std::string question_text(Kind kind, kernel::Question of)
+{
+  return ",\"of\":\"" + std::string(kernel::to_string(of)) + "\"" + question_text(kind);
 }
 
 /// A line as messages show it.
@@ -63,19 +94,63 @@ std::string text_at(const nlohmann::json& json, const char* key, const std::stri
   return found != json.end() && found->is_string() ? found->get<std::string>() : otherwise;
 }
 
-Reply reply_of(const nlohmann::json& json, const std::string& line, std::uint64_t ask)
+/// The answers of a kind, in words.
+const char* form_of(Kind kind)
 {
-  const std::string form = "{\"ask\": " + std::to_string(ask) + ", \"answer\": 0, 1 or null}";
+  switch (kind) {
+    case Kind::relation: return "\"apart\", \"surfaces\", \"a_in_b\", \"b_in_a\" or null";
+    case Kind::inside: return "-1, 0, 1 or null";
+    case Kind::distance: return "a number from 0, or null";
+    case Kind::ray: return "0, null, or 1 with \"t\", a number from 0";
+    case Kind::first_contact: return "0, null, or 1 with \"t\", a number from 0 to 1";
+    case Kind::within:
+    case Kind::collide: break;
+  }
+  return "0, 1 or null";
+}
+
+/// A finite number from `low` to `high`.
+bool is_number(const nlohmann::json& json, double low, double high)
+{
+  return json.is_number() && json.get<double>() >= low && json.get<double>() <= high;
+}
+
+/// What an answer of this kind says; no outcome where it has not the form of one.
+Reply value_of(const nlohmann::json& json, const nlohmann::json& answer, Kind kind)
+{
+  using verify::Outcome;
+  constexpr double largest = std::numeric_limits<double>::max();
+  if (answer.is_null()) return {Outcome::not_asked, "", {}};
+  if (kind == Kind::distance)
+    return is_number(answer, 0, largest) ? Reply{Outcome::yes, "", {}, answer.get<double>()} : Reply{};
+  if (kind == Kind::relation) {
+    constexpr std::array<std::string_view, 4> relations = {"apart", "surfaces", "a_in_b", "b_in_a"};
+    const auto found = std::ranges::find(relations, answer.is_string() ? answer.get<std::string>() : "");
+    return found == relations.end() ? Reply{} : Reply{Outcome::yes, "", {}, double(found - relations.begin())};
+  }
+  if (!answer.is_number_integer()) return {};
+  if (kind == Kind::inside)
+    return is_number(answer, -1, 1) ? Reply{Outcome::yes, "", {}, answer.get<double>()} : Reply{};
+  if (answer == 0) return {Outcome::no, "", {}};
+  if (answer != 1) return {};
+  if (kind == Kind::within || kind == Kind::collide) return {Outcome::yes, "", {}};
+  const auto t = json.find("t");
+  if (t == json.end() || !is_number(*t, 0, kind == Kind::first_contact ? 1 : largest)) return {};
+  return {Outcome::yes, "", {}, t->get<double>()};
+}
+
+Reply reply_of(const nlohmann::json& json, const std::string& line, std::uint64_t ask, Kind kind = Kind::collide)
+{
+  const std::string form = "{\"ask\": " + std::to_string(ask) + ", \"answer\": " + form_of(kind) + "}";
   const auto wrong = [&](const std::string& what) { return Reply{std::nullopt, what + "; expected " + form, {}}; };
   if (!json.is_object()) return wrong("the line " + shown(line) + " is no JSON object");
   const auto number = json.find("ask"), answer = json.find("answer");
   if (number == json.end() || !number->is_number_integer() || *number != ask)
     return wrong("the line " + shown(line) + " does not name this ask");
   if (answer == json.end()) return wrong("the line " + shown(line) + " has no answer");
-  if (answer->is_null()) return {verify::Outcome::not_asked, "", {}};
-  if (!answer->is_number_integer() || (*answer != 0 && *answer != 1))
-    return wrong("the answer of " + shown(line) + " is neither 0, 1 nor null");
-  Reply reply{*answer == 1 ? verify::Outcome::yes : verify::Outcome::no, "", {}};
+  Reply reply = value_of(json, *answer, kind);
+  if (!reply.outcome) return wrong("the answer of " + shown(line) + " has another form");
+  if (reply.outcome == verify::Outcome::not_asked) return reply;
   constexpr double longest = 1e18;  // 30 years: more is no time, and might be no integer of 64 bits
   const auto ns = json.find("ns");
   if (ns != json.end() && ns->is_number() && *ns >= 0.0 && *ns <= longest) reply.ns = std::uint64_t(ns->get<double>());
@@ -87,9 +162,33 @@ constexpr std::size_t most_faces_of_convex = 1000;
 
 }  // namespace
 
-bool Hello::takes(kernel::Question question) const
+const char* to_string(Kind kind)
 {
-  return questions.empty() || std::ranges::find(questions, kernel::to_string(question)) != questions.end();
+  switch (kind) {
+    case Kind::relation: return "relation";
+    case Kind::within: return "within";
+    case Kind::distance: return "distance";
+    case Kind::inside: return "inside";
+    case Kind::ray: return "ray";
+    case Kind::first_contact: return "first contact";
+    case Kind::collide: break;
+  }
+  return "collide";
+}
+
+bool Hello::takes(Kind kind) const
+{
+  return kind == Kind::collide || std::ranges::find(questions, to_string(kind)) != questions.end();
+}
+
+bool Hello::takes(Kind kind, kernel::Question of) const
+{
+  const auto names = [this](kernel::Question question) {
+    return std::ranges::find(questions, kernel::to_string(question)) != questions.end();
+  };
+  const bool is_open = kind == Kind::collide ? questions.empty() || takes(Kind::relation)
+                                             : !names(kernel::Question::surface) && !names(kernel::Question::solid);
+  return takes(kind) && (is_open || names(of));
 }
 
 bool Hello::takes(const kernel::Pose& pose) const { return !is_rigid || rigid_motion(pose); }
@@ -110,6 +209,11 @@ std::optional<Hello> read_hello(const std::string& line)
   hello.text = json.dump();
   hello.bodies = text_at(json, "bodies", hello.bodies);
   hello.is_rigid = text_at(json, "poses", "") == "rigid";
+  const std::string precision = text_at(json, "precision", "");
+  if (precision == "float32")
+    hello.in_floats = verify::In_floats::vertices_and_poses;
+  else if (text_at(json, "vertices", precision) == "float32")
+    hello.in_floats = verify::In_floats::vertices;
   const auto questions = json.find("questions"), batch = json.find("batch");
   if (questions != json.end() && questions->is_array())
     for (const auto& question : *questions)
@@ -141,8 +245,7 @@ std::optional<std::array<double, 7>> rigid_motion(const kernel::Pose& pose)
 std::string model(std::uint64_t number, const covering::Polyhedron& body)
 {
   std::string text = "{\"model\":" + std::to_string(number) + ",\"vertices\":";
-  list(text, body.vertices.size(),
-       [&](std::size_t v) { list(text, 3, [&](std::size_t k) { text += kernel::shortest(body.vertices[v][k]); }); });
+  list(text, body.vertices.size(), [&](std::size_t v) { text += vertex_text(body.vertices[v]); });
   text += ",\"faces\":";
   list(text, body.face_count(), [&](std::size_t f) {
     const auto face = covering::Index(f);
@@ -151,7 +254,7 @@ std::string model(std::uint64_t number, const covering::Polyhedron& body)
       list(text, loop.size(), [&](std::size_t k) { text += std::to_string(loop[k]); });
     });
   });
-  if (const auto triangles = peer_triangles(body)) {
+  if (const auto triangles = verify::triangles_of(body)) {
     text += ",\"triangles\":";
     list(text, triangles->size(),
          [&](std::size_t t) { list(text, 3, [&](std::size_t k) { text += std::to_string((*triangles)[t][k]); }); });
@@ -164,9 +267,45 @@ std::string forget(std::uint64_t number) { return "{\"forget\":" + std::to_strin
 std::string ask(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
                 const kernel::Pose& pose_b, kernel::Question question)
 {
-  return "{\"ask\":" + std::to_string(ask) + ",\"a\":" + std::to_string(a) + ",\"b\":" + std::to_string(b) +
-         ",\"pose_a\":" + pose_text(pose_a) + ",\"pose_b\":" + pose_text(pose_b) + rigid_text("rigid_a", pose_a) +
-         rigid_text("rigid_b", pose_b) + ",\"question\":\"" + std::string(kernel::to_string(question)) + "\"}\n";
+  return of_two(ask, a, b, pose_a, pose_b) + ",\"question\":\"" + std::string(kernel::to_string(question)) + "\"}\n";
+}
+
+std::string relation(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                     const kernel::Pose& pose_b)
+{
+  return of_two(ask, a, b, pose_a, pose_b) + question_text(Kind::relation);
+}
+
+std::string distance(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                     const kernel::Pose& pose_b, kernel::Question of)
+{
+  return of_two(ask, a, b, pose_a, pose_b) + question_text(Kind::distance, of);
+}
+
+std::string within(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                   const kernel::Pose& pose_b, kernel::Question of, const std::string& limit)
+{
+  return of_two(ask, a, b, pose_a, pose_b) + ",\"limit\":" + number_text(limit) + question_text(Kind::within, of);
+}
+
+std::string first_contact(std::uint64_t ask, std::uint64_t a, std::uint64_t b,
+                          const std::array<kernel::Pose, 2>& motion_a, const std::array<kernel::Pose, 2>& motion_b,
+                          kernel::Question of)
+{
+  return of_two(ask, a, b, motion_a[0], motion_b[0]) + ",\"end_a\":" + pose_text(motion_a[1]) +
+         ",\"end_b\":" + pose_text(motion_b[1]) + rigid_text("rigid_end_a", motion_a[1]) +
+         rigid_text("rigid_end_b", motion_b[1]) + question_text(Kind::first_contact, of);
+}
+
+std::string inside(std::uint64_t ask, std::uint64_t a, const kernel::Vertex& point)
+{
+  return of_one(ask, a) + ",\"point\":" + vertex_text(point) + question_text(Kind::inside);
+}
+
+std::string ray(std::uint64_t ask, std::uint64_t a, const kernel::Vertex& origin, const kernel::Vertex& direction)
+{
+  return of_one(ask, a) + ",\"origin\":" + vertex_text(origin) + ",\"direction\":" + vertex_text(direction) +
+         question_text(Kind::ray);
 }
 
 std::string batch(const std::vector<std::string>& asks)
@@ -176,9 +315,9 @@ std::string batch(const std::vector<std::string>& asks)
   return text + "}\n";
 }
 
-Reply read(const std::string& line, std::uint64_t ask)
+Reply read(const std::string& line, std::uint64_t ask, Kind kind)
 {
-  return reply_of(nlohmann::json::parse(line, nullptr, false), line, ask);
+  return reply_of(nlohmann::json::parse(line, nullptr, false), line, ask, kind);
 }
 
 std::vector<Reply> read_batch(const std::string& line, std::uint64_t first, std::size_t count)

@@ -19,15 +19,29 @@
 /// decimals of doubles; other rationals are strings "n/d".
 namespace tetracone::experiments::subject_lines {
 
+/// What a subject can be asked. Two bodies: whether they collide, which relation they have, whether they are at most so
+/// far apart, how far, and when they first meet in a linear motion. One body: where a point is, and where a ray first
+/// meets its surface.
+enum class Kind { collide, relation, within, distance, inside, ray, first_contact };
+inline constexpr std::array all_kinds = {Kind::collide, Kind::relation, Kind::within,       Kind::distance,
+                                         Kind::inside,  Kind::ray,      Kind::first_contact};
+
+/// Returns the name that hellos and lines have for it; that of `collide` is a question's instead.
+const char* to_string(Kind kind);
+
 /// What a subject says of itself before it answers. What it does not say is the widest: it may be asked all.
 struct Hello {
   std::string text;                    ///< the line
   std::string bodies = "any";          ///< "convex", "manifold", "closed" or "any"
-  std::vector<std::string> questions;  ///< "surface", "solid"; none: both
+  std::vector<std::string> questions;  ///< "surface", "solid", and kinds by their names; none: these two
   bool is_rigid = false;               ///< it takes rigid poses alone
   bool takes_batches = false;
+  verify::In_floats in_floats = verify::In_floats::nothing;
 
-  bool takes(kernel::Question question) const;
+  /// Kinds other than `collide` are taken where they are named, for surfaces and solids both where neither is named.
+  /// A relation answers both questions of `collide`.
+  bool takes(Kind kind) const;
+  bool takes(Kind kind, kernel::Question of) const;
   bool takes(const kernel::Pose& pose) const;
 
   /// Convexity is decided exactly, for bodies of at most 1000 faces; larger ones are not taken for convex.
@@ -52,18 +66,40 @@ std::string forget(std::uint64_t number);
 std::string ask(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
                 const kernel::Pose& pose_b, kernel::Question question);
 
+/// An ask for the relation of two solids.
+std::string relation(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                     const kernel::Pose& pose_b);
+
+/// An ask for the distance, and whether it is at most `limit`, a double or a fraction "n/d".
+std::string distance(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                     const kernel::Pose& pose_b, kernel::Question of);
+std::string within(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kernel::Pose& pose_a,
+                   const kernel::Pose& pose_b, kernel::Question of, const std::string& limit);
+
+/// An ask for the first contact of bodies that move from their first poses at t = 0 to the others at t = 1.
+std::string first_contact(std::uint64_t ask, std::uint64_t a, std::uint64_t b,
+                          const std::array<kernel::Pose, 2>& motion_a, const std::array<kernel::Pose, 2>& motion_b,
+                          kernel::Question of);
+
+/// Asks about a body in its own coordinates.
+std::string inside(std::uint64_t ask, std::uint64_t a, const kernel::Vertex& point);
+std::string ray(std::uint64_t ask, std::uint64_t a, const kernel::Vertex& origin, const kernel::Vertex& direction);
+
 /// Returns one line of several asks, each a line of `ask`.
 std::string batch(const std::vector<std::string>& asks);
 
 /// The contents of a line from the subject.
 struct Reply {
-  std::optional<verify::Outcome> outcome;  ///< yes, no, or not_asked where it declines; nothing for a wrong line
-  std::string wrong;                       ///< what is wrong with the line, and what was expected
-  std::optional<std::uint64_t> ns;         ///< the time that it says it took; what is no number from 0 is none
+  /// Yes, no, or not_asked where it declines; nothing for a wrong line. An answer that is a number is yes.
+  std::optional<verify::Outcome> outcome;
+  std::string wrong;                ///< what is wrong with the line, and what was expected
+  std::optional<std::uint64_t> ns;  ///< the time that it says it took; what is no number from 0 is none
+  double value = 0;  ///< the distance, the place of a point (-1, 0, 1), the `t` of a yes, or a relation: 0 apart, 1
+                     ///< surfaces, 2 a_in_b, 3 b_in_a
 };
 
 /// Reads the line that answers the question with the number `ask`.
-Reply read(const std::string& line, std::uint64_t ask);
+Reply read(const std::string& line, std::uint64_t ask, Kind kind = Kind::collide);
 
 /// Reads the line that answers a batch of the asks from `first` on; one reply each. A wrong line is one wrong reply.
 std::vector<Reply> read_batch(const std::string& line, std::uint64_t first, std::size_t count);

@@ -16,7 +16,7 @@ def label(row):
 
 
 def draw(out, rows):
-    rows = [r for r in rows if r["question"] == "surface"]
+    rows = [r for r in rows if r["question"] == "surface" and r["mean_ns"]]  # a program may tell no time
     names = list(dict.fromkeys(label(r) for r in rows))
     place = {name: -k for k, name in enumerate(names)}
     figure, axis = plt.subplots(figsize=(7.2, 0.17 * len(names) + 1.1))
@@ -34,6 +34,8 @@ def draw(out, rows):
     axis.tick_params(axis="y", length=0)
     handles = [plt.Line2D([], [], ls="", marker="o" if s in (OURS, LAST_FRAME) else "D", ms=4.5, color=c, label=s) for s, c in COLOURS.items()
                if any(r["subject"] == s for r in rows)]
+    handles += [plt.Line2D([], [], ls="", marker="D", ms=4.5, color=GREY, label=f"{s}, by its own clock")
+                for s in dict.fromkeys(r["subject"] for r in rows) if s not in COLOURS]
     axis.legend(handles=handles, ncol=4, fontsize=6.5, frameon=False, loc="lower center", bbox_to_anchor=(0.4, 1.0), handletextpad=0.1, columnspacing=1.2)
     save(figure, out, "peers")
 

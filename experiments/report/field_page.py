@@ -105,6 +105,30 @@ def heat_map(field, question):
     return f"<table><tr><th>engine</th>{head}</tr>\n{body}</table>"
 
 
+def floats(field, question):
+    """Wrong answers of engines that hold their input as floats, parted into what rounding the input explains and what it does not."""
+    regimes = [k for k in REGIMES if field.of("rounded", question=question, regime=k)]
+    if not regimes:
+        return ""
+    head = "".join(f"<th>{REGIMES[k]}</th>" for k in regimes)
+    body = ""
+    for _, subjects in field.engines(question):
+        for subject in subjects:
+            rows = {r["regime"]: r for r in field.of("rounded", subject=subject, question=question)}
+            if not rows:
+                continue
+            n, wrong, excused = (sum(number(r, k) for r in rows.values()) for k in ("n", "wrong", "excused"))
+            changed, missed, invented = (sum(number(r, k) for r in rows.values()) for k in ("changed", "missed", "invented"))
+            body += (f"<tr><td>{name_of(field, subject)}</td><td>{n}</td><td>{percent(changed, n)}</td><td>{percent(wrong, n)}</td><td>{percent(excused, n)}</td>"
+                     f"<td>{percent(missed + invented, n)}</td>")
+            for regime in regimes:
+                r = rows.get(regime)
+                body += cell(number(r, "missed"), number(r, "invented"), 0, number(r, "n")) if r else cell(0, 0, 0, 0)
+            body += "</tr>\n"
+    return (f"<h3>{question}</h3><table><tr><th>engine</th><th>asked</th><th>rounding changes<br>the truth</th><th>wrong of<br>the input</th>"
+            f"<th>explained by<br>the rounding</th><th>wrong of the<br>rounded input</th>{head}</tr>\n{body}</table>")
+
+
 def ladder(field):
     """Two panels: by the cubes' size, the largest gap called contact and the largest overlap missed, as powers of 2 of the size."""
     sizes = sorted({int(r["size"]) for r in field.of("ladder")})
@@ -185,13 +209,72 @@ def strip(field):
     return f"<table class='strip'><tr><th>case</th><th>question</th><th>truth</th>{head}</tr>\n{body}</table>"
 
 
+def scatter(field, kind):
+    """Time against wrong answers, of those that tell a time: the best of each group is labelled, the rest is grey; hollow: it declines more than half."""
+    points = []
+    for r in field.of("speed", regime=kind):
+        rows = field.of("regime", subject=r["subject"], question=r["question"])
+        n, wrong, declined = (sum(number(x, *keys) for x in rows) for keys in (("n",), ("missed", "invented"), ("declined",)))
+        if n:
+            points.append((float(r["value"]) / 1000, max(wrong / n, 1e-4), wrong, n, declined > n, r["subject"]))
+    if not points:
+        return ""
+    width, height = 640, 250
+    low, high = math.floor(min(math.log10(p[0]) for p in points)), math.ceil(max(math.log10(p[0]) for p in points) + 1e-9)
+
+    def x(us):
+        return 60 + (math.log10(us) - low) / (high - low) * (width - 200)
+
+    def y(share):
+        return height - 40 + (math.log10(share) + 4) / 4 * (60 - height)
+    out = [f'<text x="60" y="12">{kind}</text><text x="60" y="{height - 4}">microseconds a pose, by its own clock</text>']
+    for e in range(low, high + 1):
+        out.append(f'<line x1="{x(10 ** e):.0f}" x2="{x(10 ** e):.0f}" y1="20" y2="{height - 40}" stroke="#eee"/>'
+                   f'<text x="{x(10 ** e):.0f}" y="{height - 24}" text-anchor="middle">10^{e}</text>')
+    for share, text in ((1, "100 %"), (0.1, "10 %"), (0.01, "1 %"), (1e-3, "0.1 %"), (1e-4, "none")):
+        out.append(f'<line x1="60" x2="{width - 140}" y1="{y(share):.0f}" y2="{y(share):.0f}" stroke="#eee"/>'
+                   f'<text x="54" y="{y(share) + 4:.0f}" text-anchor="end">{text}</text>')
+    best = {}
+    for p in points:
+        group = field.group[p[5]]
+        best[group] = min(best.get(group, p), p, key=lambda q: (q[2] / q[3], q[0]))
+    for p in points:
+        us, share, wrong, n, declines, subject = p
+        group = field.group[subject]
+        colour = "#2c5f9e" if best[group] is p else "#999"
+        out.append(f'<circle cx="{x(us):.1f}" cy="{y(share):.1f}" r="4" fill="{"#fff" if declines else colour}" stroke="{colour}" stroke-width="1.5">'
+                   f'<title>{html.escape(subject)}: {us:,.1f} microseconds, {wrong} wrong of {n}</title></circle>')
+        if best[group] is p:
+            out.append(f'<text x="{x(us) + 8:.1f}" y="{y(share) - 5:.1f}" fill="{colour}">{html.escape(subject)} ({group})</text>')
+    return f'<figure><svg viewBox="0 0 {width} {height}" font-size="11" width="{width}">{"".join(out)}</svg></figure>'
+
+
 def speeds(field):
     out = ""
     for kind in dict.fromkeys(r["regime"] for r in field.of("speed")):
         rows = sorted(field.of("speed", regime=kind), key=lambda r: float(r["value"]))
         body = "".join(f'<tr><td>{name_of(field, r["subject"])}</td><td>{float(r["value"]) / 1000:,.1f}</td><td>{r["n"]}</td><td>{r["text"]}</td></tr>' for r in rows)
+        out += scatter(field, kind)
         out += f"<table><tr><th>{kind}, near contact</th><th>microseconds a pose, by its own clock</th><th>poses</th><th>answers</th></tr>{body}</table>"
     return out
+
+
+def kinds(field):
+    """Answers to the other kinds of question, of the engines that take them: a row an engine, a column a question."""
+    rows = field.of("kind")
+    if not rows:
+        return ""
+    columns = list(dict.fromkeys((r["regime"], r["question"]) for r in rows))
+    body = ""
+    for subject in dict.fromkeys(r["subject"] for r in rows):
+        mine = {(r["regime"], r["question"]): r for r in rows if r["subject"] == subject}
+        body += f"<tr><td>{name_of(field, subject)}</td>"
+        for column in columns:
+            r = mine.get(column)
+            body += cell(number(r, "missed"), number(r, "invented"), number(r, "failed"), number(r, "n")) if r else cell(0, 0, 0, 0)
+        body += "</tr>\n"
+    head = "".join(f"<th>{level}:<br>{question}</th>" for level, question in columns)
+    return f"<table><tr><th>engine</th>{head}</tr>\n{body}</table>"
 
 
 def engines(field):
@@ -202,10 +285,10 @@ def engines(field):
             why = ", ".join(f'{r["regime"]} {r["n"]}' for r in field.of("declined", subject=s))
             failures = ", ".join(f'{r["regime"]} {r["n"]}' + (f' <small>{html.escape(r["text"])}</small>' if r["text"] else "") for r in field.of("failure", subject=s))
             sizes = h.get("sizes")
-            body += (f'<tr><td>{name_of(field, s)}</td><td>{html.escape(h.get("library") or h.get("version", "built in"))}</td><td>{h.get("precision", "")}</td>'
+            body += (f'<tr><td>{name_of(field, s)}</td><td>{html.escape(h.get("library") or h.get("version", "built in"))}</td><td>{h.get("precision", "")}</td><td>{", ".join(h.get("questions", []))}</td>'
                      f'<td>{h.get("bodies", "")}</td><td>{h.get("poses", "")}</td><td>{h.get("touching", "")}</td>'
                      f'<td>{f"{sizes[0]} .. {sizes[1]} m" if sizes else ""}</td><td>{why}</td><td class="text">{failures}</td></tr>\n')
-    return ("<table><tr><th>engine</th><th>version</th><th>numbers</th><th>bodies</th><th>poses</th><th>sets</th><th>sizes advised</th>"
+    return ("<table><tr><th>engine</th><th>version</th><th>numbers</th><th>takes</th><th>bodies</th><th>poses</th><th>sets</th><th>sizes advised</th>"
             f"<th>not asked, of the first cases</th><th>failures, and last words</th></tr>\n{body}</table>")
 
 
@@ -233,6 +316,12 @@ do by design; <i>flush apart</i>: likewise flush cubes.</p>
 {heat_map(field, "surface")}
 <h2>Wrong answers: solids</h2>
 {heat_map(field, "solid")}
+<h2>What floats cost, and what the engine does</h2>
+<p class="note">{"" if field.of("rounded") else "Not asked. "}An engine of floats never sees the bodies that it is given. Here its answers are judged twice: by the truth of the input, and
+by the truth of the input with each number rounded to the nearest float, vertices and poses, or vertices alone where its poses are of double. <i>Explained by the rounding</i>: wrong of the
+input and right of the rounded one. The cells are wrong answers to the rounded input: what the engine does.</p>
+{floats(field, "surface")}
+{floats(field, "solid")}
 <h2>The ladder</h2>
 <p class="note">How near may two equal cubes be before an engine errs? The grey band is half an ulp of float at the size, which a float engine cannot avoid. Engines for games have
 absolute tolerances for bodies of about a metre: read the middle of the figure for those. The cubes of a rung are aligned, shifted sideways or turned.</p>
@@ -241,13 +330,19 @@ absolute tolerances for bodies of about a metre: read the middle of the figure f
 <p class="note">Many libraries round to a grid first, and are exact from there on. These subjects round the placed vertices, or those of the bodies, to 2^-10 .. 2^-40 of the size on the
 ladder, and then decide without error: what is wrong is the rounding's.</p>
 {rounding(field)}
+<h2>Other kinds of question</h2>
+<p class="note">{"" if field.of("kind") else "Not asked. "}Of the engines that can be asked more than whether bodies collide. <i>meets</i>, <i>surface</i> and <i>solid</i> count like the cells above. A
+number is wrong where it is not the double nearest to the exact one: <i>first t</i>, <i>time</i> and a distance count as missed where they are too small, as invented where they are too large. A float
+engine's numbers are therefore nearly all wrong, by some of its ulps.</p>
+{kinds(field)}
 <h2>What your engine says</h2>
 <p class="note">Each case is a file that <code>tetracone collide FILE</code> replays, and that <code>experiments/subjects/</code> can be asked. Red is wrong; a dot was not asked.
 Calling a flush or single-corner contact apart is right for an engine of open sets.</p>
 {strip(field)}
 <h2>Time</h2>
 <p class="note">{"" if field.of("speed") else "Not measured: the machine was busy. "}Self-reported: an engine's own clock around its own query, without the pipe and without making its bodies, unless it makes them at each query (Rapier's shapes, GTS,
-SFCGAL). The builds of npm are WebAssembly, not the native ones. The machine was not idle: read orders of magnitude. The number that collide is the answers' verdict.</p>
+SFCGAL). The builds of npm are WebAssembly, not the native ones. The machine was not idle: read orders of magnitude. The number that collide is the answers' verdict. In the figures a
+group's best is labelled, by wrong answers and then by time; hollow ones decline more than half of the questions; <i>none</i> is none wrong of what was asked.</p>
 {speeds(field)}
 <h2>Engines</h2>
 {engines(field)}

@@ -71,7 +71,7 @@ def against_the_first(page, rows, source):
                 continue
             wrong = sum(int(r["false_positives"]) + int(r["false_negatives"]) for r in own)
             asked = sum(int(r["poses"]) for r in own)
-            ratios = [over_the_first(r, reference[key(r)]) for r in own if key(r) in reference]
+            ratios = [over_the_first(r, reference[key(r)]) for r in own if key(r) in reference and r["mean_ns"]]  # a program may tell no time
             mean, (low, high) = geometric_mean(ratios), interval(ratios)
             time = (f"{times(mean)} ×" + (f" ({times(low)} .. {times(high)})" if low else "") + "; ") if ratios else ""
             cells.append(f"{time}{share(wrong, asked)} wrong")

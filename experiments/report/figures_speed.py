@@ -74,7 +74,7 @@ def chart(panels, rows=1):
     for axis in axes[:, 0]:
         axis.set_ylabel("wrong answers")
     every = [p for _, points in panels for p in points]
-    key_of_marks(fig, distinct((p[1], p[3]) for p in every if p[2] != "peer"), distinct(p[2] for p in every))
+    key_of_marks(fig, distinct((p[1], p[3]) for p in every if p[2] not in ("peer", "program")), distinct(p[2] for p in every))
     fig.tight_layout(rect=(0, 0.3 / fig.get_figheight(), 1, 1), w_pad=0.6)
     for axis, (names, obstacles) in zip(axes.flat, labels):
         label_points(axis, names, obstacles)

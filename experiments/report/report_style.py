@@ -13,7 +13,7 @@ ORANGE, SKY, GREEN, YELLOW, BLUE, VERMILION, PURPLE, GREY = ("#E69F00", "#56B4E9
 
 KERNELS = {"float": ORANGE, "double": VERMILION, "double-eps=1e-12": PURPLE, "double-eps=rel:1e-12": "#8C4F76", "epick": SKY, "epeck": BLUE,
            "rational": GREY, "adaptive": GREEN}
-MARKERS = {"tree": "o", "tuned": "v", "paper": "^", "brute": "s", "peer": "D"}
+MARKERS = {"tree": "o", "tuned": "v", "paper": "^", "brute": "s", "peer": "D", "program": "P"}
 WIDTH = 7.2  # inches: two columns of a journal; type of 7 points stays 7 points there
 
 

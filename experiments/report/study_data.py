@@ -28,10 +28,12 @@ def workload(row):
 
 class Study:
     def __init__(self, out, name="study"):
-        self.rows = read(os.path.join(out, name + ".csv"))
+        rows = read(os.path.join(out, name + ".csv"))
+        self.rows = [r for r in rows if r["mean_ns"]]
+        self.untimed = distinct(r["subject"] for r in rows if not r["mean_ns"])  # programs that do not tell their time
         for row in self.rows:
             for key in NUMBERS:
-                row[key] = float(row[key])
+                row[key] = float(row[key] or "nan")  # a program makes its bodies in its own process
             row["mean_ns"] = max(row["mean_ns"], 1.0)  # whole nanoseconds
             row["exact"] = row["exact"] == "1"
             row["wrong"] = row["false_positives"] + row["false_negatives"]
@@ -44,6 +46,9 @@ class Study:
     def source(self, asked, rows=None):
         rows = self.rows if rows is None else rows
         places = len({workload(r) for r in rows})
+        programs = distinct(r["subject"] for r in rows if r["method"] == "program")
+        asked += f" {', '.join(programs)}: by the program's own clock, over the subject protocol." if programs else ""
+        asked += f" {', '.join(self.untimed)}: not drawn, since the program does not tell its time." if self.untimed else ""
         return Source.of(rows, asked, f"{sum(r['poses'] for r in rows):,.0f} answers of {len({r['subject'] for r in rows})} subjects on "
                          f"{places} workloads")
 

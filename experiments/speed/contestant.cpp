@@ -6,6 +6,7 @@
 #include "tetracone/tetratree/paper/collision.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
 
+#include <limits>
 #include <optional>
 
 namespace tetracone::experiments {
@@ -159,7 +160,48 @@ Contestant paper_over(const std::string& name, const tetratree::Config& of_a, co
           }};
 }
 
+/// Two bodies that a program is asked about.
+class Program_pair : public Prepared_pair {
+ public:
+  Program_pair(const verify::Object_subject& subject, const Polyhedron& a, const Polyhedron& b)
+      : name_(subject.name), running_(subject.make())
+  {
+    case_.a = std::make_shared<const Polyhedron>(a);
+    case_.b = std::make_shared<const Polyhedron>(b);
+  }
+
+  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
+  {
+    case_.pose_a = pose_a;
+    case_.pose_b = pose_b;
+    const verify::Outcome outcome = (*running_)(case_, question);
+    if (outcome == verify::Outcome::failed) throw No_answer(name_ + " failed: " + running_->failure().how);
+    if (outcome == verify::Outcome::not_asked) throw No_answer(name_ + " is not asked: " + running_->why_not_asked());
+    return outcome == verify::Outcome::yes;
+  }
+  std::optional<double> own_ns() const override
+  {
+    const auto spent = running_->spent();
+    return spent ? double(spent->asking) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  std::string name_;
+  std::unique_ptr<verify::Running_subject> running_;
+  verify::Object_case case_;
+};
+
 }  // namespace
+
+Contestant program(const verify::Object_subject& subject)
+{
+  return {.name = subject.name,
+          .knows_solids = true,
+          .prepare = [subject](const Polyhedron& a,
+                               const Polyhedron& b) { return std::make_unique<Program_pair>(subject, a, b); },
+          .kernel = subject.name,
+          .method = "program"};
+}
 
 Contestant fast()
 {

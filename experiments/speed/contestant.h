@@ -5,6 +5,7 @@
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/tetratree/fast/bvh8_options.h"
 #include "tetracone/tetratree/paper/config.h"
+#include "verify/subjects/object_subject.h"
 
 #include <cstddef>
 #include <functional>
@@ -61,6 +62,9 @@ Contestant paper_adaptive(const std::string& name, const tetratree::Config& conf
 /// Returns a peer by its name (see `peers`), with its meshes triangulated. It takes no bodies if the program was built
 /// without it.
 Contestant peer(const std::string& name, std::size_t one_in = 1);
+
+/// Returns somebody else's program as a contestant. Its times are those that it tells of itself.
+Contestant program(const verify::Object_subject& subject);
 
 }  // namespace tetracone::experiments
 

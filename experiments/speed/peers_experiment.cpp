@@ -10,7 +10,8 @@ namespace tetracone::experiments {
 namespace {
 
 /// The contestants, ours first. Slow ones are asked fewer poses.
-std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
+std::vector<Contestant> contestants(std::size_t triangles, bool degenerate,
+                                    const std::vector<verify::Object_subject>& programs)
 {
   const std::size_t many = degenerate ? 20 : 1;
   const bool large = triangles > 20000;
@@ -30,6 +31,7 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
     std::erase_if(list,
                   [](const Contestant& c) { return c.name.starts_with("tetra-tree"); });  // minutes a pass on what is
                                                                                           // not star-shaped
+  for (const verify::Object_subject& subject : programs) list.push_back(program(subject).every(large ? 20 : 4));
   return list;
 }
 
@@ -45,8 +47,8 @@ void run_peers(const Experiment_options& options)
   const auto add = [&](const std::string& name, std::function<Race_course()> make) {
     parts.push_back({name, [=] {
                        const Race_course course = make();
-                       return race_rows(course, contestants(course.a.face_count(), course.degenerate), true, passes,
-                                        seconds, options);
+                       return race_rows(course, contestants(course.a.face_count(), course.degenerate, options.programs),
+                                        true, passes, seconds, options);
                      }});
   };
 

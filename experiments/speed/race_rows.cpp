@@ -2,6 +2,7 @@
 
 #include "experiments/support/csv_row.h"
 
+#include <cmath>
 #include <initializer_list>
 
 namespace tetracone::experiments {
@@ -38,13 +39,15 @@ void add_answers(Csv_row& row, const Judged_answers& answers)
 
 void add_times(Csv_row& row, const Timing& timing)
 {
-  row.add("passes", timing.passes)
-      .add("mean_ns", timing.mean_ns)
-      .add("median_ns", timing.median_ns)
-      .add("p99_ns", timing.p99_ns)
-      .add("same_poses_ns", timing.same_poses_ns)
-      .add("tetracone_same_poses_ns", timing.first_same_poses_ns)
-      .add("fcl_same_poses_ns", timing.fcl_same_poses_ns);
+  row.add("passes", timing.passes);
+  if (std::isfinite(timing.mean_ns))
+    row.add("mean_ns", timing.mean_ns)
+        .add("median_ns", timing.median_ns)
+        .add("p99_ns", timing.p99_ns)
+        .add("same_poses_ns", timing.same_poses_ns);
+  else  // a program that tells none
+    add_none(row, {"mean_ns", "median_ns", "p99_ns", "same_poses_ns"});
+  row.add("tetracone_same_poses_ns", timing.first_same_poses_ns).add("fcl_same_poses_ns", timing.fcl_same_poses_ns);
 }
 
 void add_cold(Csv_row& row, const Prepared_contestant& prepared, const Timing& timing, Question question)
@@ -59,6 +62,8 @@ void add_cold(Csv_row& row, const Prepared_contestant& prepared, const Timing& t
 
 void add_build(Csv_row& row, const Prepared_contestant& prepared, double triangles)
 {
+  // A program makes its bodies in its own process.
+  if (prepared.pair->own_ns()) return add_none(row, {"build_ms", "bytes_per_triangle", "tree_bytes_per_triangle"});
   row.add("build_ms", prepared.build.milliseconds)
       .add("bytes_per_triangle", static_cast<double>(prepared.build.bytes) / triangles);
   const std::size_t tree_bytes = prepared.pair->tree_bytes();

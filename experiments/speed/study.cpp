@@ -11,6 +11,7 @@
 #include "verify/subjects/subject.h"
 
 #include <cmath>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,7 +69,7 @@ Contestant scaled_fcl(const Workload& workload)
           .method = "peer"};
 }
 
-std::vector<Contestant> contestants(const Workload& workload)
+std::vector<Contestant> contestants(const Workload& workload, const std::vector<verify::Object_subject>& programs)
 {
   std::vector<Contestant> list;
   for (const char* kernel : {"float", "double", "double-eps=1e-12", "epick", "epeck", "adaptive"})
@@ -85,6 +86,7 @@ std::vector<Contestant> contestants(const Workload& workload)
   if (workload.regime == "degenerate")
     for (const char* kernel : {"float", "double-eps=1e-12", "epick"}) list.push_back(ours(kernel, Method::brute));
   list.push_back(scaled_fcl(workload));
+  for (const verify::Object_subject& subject : programs) list.push_back(program(subject));
   return list;
 }
 
@@ -104,7 +106,7 @@ struct Judged {
   tetratree::Query_statistics counts;  ///< work of one pass
 };
 
-/// Returns nothing if the contestant does not take such bodies.
+/// Returns nothing if the contestant does not take such bodies. Throws No_answer.
 std::optional<Judged> judge(const Workload& workload, const Contestant& contestant, Question question,
                             const std::vector<char>& truth)
 {
@@ -122,7 +124,8 @@ std::optional<Judged> judge(const Workload& workload, const Contestant& contesta
                       [&](double weight) {
                         const auto counts = pair->take_counts();
                         if (pass == 0) result.counts += weighted(counts, weight);
-                      });
+                      },
+                      [&] { return pair->own_ns(); });
     if (since_first.seconds() > enough_seconds) break;
   }
   // By now, the nodes built on demand exist.
@@ -139,6 +142,9 @@ Csv_row row(const Workload& workload, Question question, const Contestant& conte
   const auto whole = [](double x) { return static_cast<long long>(x); };
   const auto a_pose = [&](std::uint64_t count) { return static_cast<double>(count) / double(answers.course_poses); };
   const auto& counts = judged.counts;
+  const bool is_program = contestant.method == "program";     // it makes its bodies in its own process
+  const bool has_time = std::isfinite(timed.mean_ns(timed));  // a program may tell none
+  const auto time = [&](double ns) { return has_time ? std::to_string(whole(ns)) : std::string(); };
   return Csv_row()
       .add("regime", workload.regime)
       .add("scenario", workload.scenario)
@@ -159,11 +165,11 @@ Csv_row row(const Workload& workload, Question question, const Contestant& conte
       .add("course_poses", answers.course_poses)
       .add("course_collisions", answers.course_collisions)
       .add("estimator", answers.estimator())
-      .add("mean_ns", whole(timed.mean_ns(timed)))
-      .add("median_ns", whole(timed.quantile_ns(0.5)))
-      .add("p99_ns", whole(timed.quantile_ns(0.99)))
-      .add_exact("build_ms", std::round(judged.build_seconds * 1e6) / 1e3)
-      .add("bytes", judged.bytes)
+      .add("mean_ns", time(timed.mean_ns(timed)))
+      .add("median_ns", time(timed.quantile_ns(0.5)))
+      .add("p99_ns", time(timed.quantile_ns(0.99)))
+      .add("build_ms", is_program ? "" : kernel::shortest(std::round(judged.build_seconds * 1e6) / 1e3))
+      .add("bytes", is_program ? "" : std::to_string(judged.bytes))
       .add("nodes", judged.nodes)
       .add_exact("pairs_visited", a_pose(counts.pairs_visited))
       .add_exact("discarded_by_hull", a_pose(counts.discarded_by_hull))
@@ -185,8 +191,12 @@ std::string study_workload(const Workload& workload, const std::vector<Contestan
       truth.push_back(truth_teller->collide(workload.pose_a(k), workload.poses_b[k], question));
     for (const Contestant& contestant : contestants) {
       if (question == Question::solid && !contestant.knows_solids) continue;
-      if (const auto judged = judge(workload, contestant, question, truth))
-        table.add(row(workload, question, contestant, *judged, seed));
+      try {
+        if (const auto judged = judge(workload, contestant, question, truth))
+          table.add(row(workload, question, contestant, *judged, seed));
+      } catch (const No_answer& what) {
+        std::cerr << what.what() << "; it has no row of " << workload.scenario << ", " << to_string(question) << '\n';
+      }
     }
   }
   return table.text();
@@ -200,10 +210,11 @@ void run_study(const Experiment_options& options)
   std::vector<Table_part> parts;
   for (Named_workload& workload :
        study_workloads(options.models, more * options.frames, more * options.rotations, options.seed))
-    parts.push_back({std::move(workload.name), [make = std::move(workload.make), seed = options.seed] {
-                       const Workload made = make();
-                       return study_workload(made, contestants(made), seed);
-                     }});
+    parts.push_back(
+        {std::move(workload.name), [make = std::move(workload.make), seed = options.seed, programs = options.programs] {
+           const Workload made = make();
+           return study_workload(made, contestants(made, programs), seed);
+         }});
   write_table(options.out, "study", parts);
   if (!options.rows_alone) draw("report.py", options.out);
 }

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,11 @@ inline tetratree::Query_statistics weighted(const tetratree::Query_statistics& c
   return std::bit_cast<tetratree::Query_statistics>(fields);
 }
 
+/// The own clock of a contestant without one.
+struct No_own_clock {
+  std::optional<double> operator()() const { return std::nullopt; }
+};
+
 /// The poses that one contestant is asked, pass by pass. Each pose is timed separately and keeps its fastest time. The
 /// answers of the first pass are judged.
 ///
@@ -77,10 +83,10 @@ class Timed_poses {
   const Judged_answers& judged() const { return judged_; }
 
   /// Runs one pass, in which `collide(k)` answers pose k. `clock_ns`, the clock's own time, is subtracted from the time
-  /// of each pose. After each stratum it calls `done` with the stratum's weight. Returns the course's mean in
-  /// nanoseconds.
-  template <class Collide, class Done>
-  double pass(const Collide& collide, double clock_ns, const Done& done)
+  /// of each pose. Where `own_ns()` tells the time of the last answer, that one counts. After each stratum it calls
+  /// `done` with the stratum's weight. Returns the course's mean in nanoseconds.
+  template <class Collide, class Done, class Own_clock = No_own_clock>
+  double pass(const Collide& collide, double clock_ns, const Done& done, const Own_clock& own_ns = {})
   {
     double total = 0;
     std::size_t place = 0;
@@ -88,7 +94,8 @@ class Timed_poses {
       for (const std::size_t k : stratum.numbers) {
         const Stopwatch watch;
         const bool answer = collide(k);
-        const double ns = std::max(0.0, watch.nanoseconds() - clock_ns);
+        const double watched = watch.nanoseconds();
+        const double ns = own_ns().value_or(std::max(0.0, watched - clock_ns));
         total += stratum.weight * ns;
         fastest_[place] = std::min(fastest_[place], ns);
         ++place;

@@ -57,6 +57,8 @@ DEBIAN = {"gts": ("gts.h", "libgts-dev", 20, "pkg-config --cflags --libs gts"),
           "sfcgal": ("SFCGAL/version.h", "libsfcgal-dev", 20, "echo -DCGAL_USE_GMPXX=1 -lSFCGAL -lgmpxx -lgmp -lmpfr")}
 OF_NPM = "node "
 NOT_NEAR, EXACTLY = 9999, -9999  # of the table `tally`
+# The levels of campaigns that ask the other kinds of question, and the kinds that hellos name for them.
+OTHER_LEVELS = {"points": {"inside"}, "rays": {"ray"}, "distances": {"within", "distance"}, "motions": {"first contact"}}
 
 
 def run(words, **options):
@@ -288,6 +290,16 @@ def tables(db, groups, rows):
         if (subject, question) in takes:
             rows.append({"table": "regime", "subject": subject, "question": question, "regime": name, "n": n, "invented": invented, "missed": missed,
                          "failed": failed, "declined": declined})
+    # What rounding the input to floats costs, and what the engine does with the rounded one.
+    rounded = {}
+    for subject, question, family, bin_, *counts in base.execute(
+            "SELECT subject, question, family, bin, n, changed, wrong, excused, false_positives, false_negatives FROM rounded WHERE level = 'object'"):
+        if asked(subject, question):
+            key = subject, question, regime(family, bin_)
+            rounded[key] = [a + b for a, b in zip(rounded.get(key, [0] * 6), counts)]
+    for (subject, question, name), (n, changed, wrong_of_input, excused, invented, missed) in sorted(rounded.items()):
+        rows.append({"table": "rounded", "subject": subject, "question": question, "regime": name, "n": n, "changed": changed, "wrong": wrong_of_input,
+                     "excused": excused, "invented": invented, "missed": missed})
     for subject, why, n in base.execute("SELECT subject, why, count(*) FROM declined WHERE level = 'object' GROUP BY 1, 2 ORDER BY 1, 2"):
         if subject in groups:
             rows.append({"table": "declined", "subject": subject, "regime": why, "n": n})
@@ -370,8 +382,25 @@ def tables(db, groups, rows):
     return base.execute("SELECT version, compiler, flags, processor, seed FROM run ORDER BY id DESC LIMIT 1").fetchone()
 
 
+def other_kinds(db, program, found, cases, limit, rows):
+    """Asks each engine the other kinds of question that its hello names: rows by level and question."""
+    base = sqlite3.connect(f"file:{db}?mode=ro", uri=True)
+    takes = {subject: set(json.loads(hello or "{}").get("questions", [])) for subject, hello in base.execute("SELECT subject, hello FROM hello")}
+    for level, kinds in OTHER_LEVELS.items():
+        engines = [(name, command) for name, _, command in found if kinds & takes.get(name, set())]
+        words = [w for name, command in engines for w in ("--subject", name, "--subject-command", f"{name}=exec {command}")]
+        if engines:
+            run([program, "verify", "--db", db, "--level", level, "--cases", str(cases), "--subject-limit", str(limit), *words], stdout=subprocess.DEVNULL)
+    for level, subject, question, *counts in base.execute(
+            "SELECT level, subject, question, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM tally "
+            "WHERE axis = 'rho' AND level != 'object' GROUP BY 1, 2, 3 ORDER BY 1, 2, 3"):
+        if counts[0]:
+            rows.append({"table": "kind", "subject": subject, "question": question, "regime": level} |
+                        dict(zip(("n", "invented", "missed", "failed", "declined"), counts)))
+
+
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]
-COLUMNS = ["table", "subject", "question", "regime", "size", "n", "invented", "missed", "failed", "declined", "value", "text"]
+COLUMNS = ["table", "subject", "question", "regime", "size", "n", "invented", "missed", "failed", "declined", "changed", "wrong", "excused", "value", "text"]
 MADE_BY = ["version", "compiler", "flags", "processor", "seed", "cases", "frames", "node"]
 
 
@@ -390,7 +419,9 @@ def campaign(options, program, found, out, rows):
         status = subprocess.run([*words, *more], stdout=subprocess.DEVNULL).returncode
         if status not in (0, 1):  # 1: an exact subject was wrong, which the page shows
             sys.exit(status)
-    return tables(os.path.join(out, "field.db"), groups, rows)
+    made = tables(os.path.join(out, "field.db"), groups, rows)
+    other_kinds(os.path.join(out, "field.db"), program, found, options.cases, options.limit, rows)
+    return made
 
 
 def trial(options, found, out, rows):

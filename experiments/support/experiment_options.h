@@ -1,6 +1,8 @@
 #ifndef TETRACONE_EXPERIMENTS_SUPPORT_EXPERIMENT_OPTIONS_H
 #define TETRACONE_EXPERIMENTS_SUPPORT_EXPERIMENT_OPTIONS_H
 
+#include "verify/subjects/object_subject.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -20,8 +22,9 @@ struct Experiment_options {
   int race_frames = 400;             ///< poses of each trajectory of the others
   double race_seconds = 0;           ///< processor time after which a contestant is asked no more; 0: each race's own
   int size = 256, points = 20'000;
-  bool full = false;        ///< larger objects, or more of everything
-  bool rows_alone = false;  ///< of `study`: no report
+  bool full = false;                             ///< larger objects, or more of everything
+  bool rows_alone = false;                       ///< of `study`: no report
+  std::vector<verify::Object_subject> programs;  ///< of `study` and `peers`: somebody else's methods
 
   double seconds_or(double own) const { return race_seconds > 0 ? race_seconds : own; }
 };

@@ -125,6 +125,12 @@ constexpr const char* merge_newer_tables = R"(
     INSERT INTO main.skipped SELECT here, level, family, subject, n FROM other.skipped JOIN renumbered ON run = there
       WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n;
   )";
+constexpr const char* merge_rounded = R"(
+    INSERT INTO main.rounded SELECT here, level, family, subject, question, bin, n, changed, wrong, excused, false_positives, false_negatives
+      FROM other.rounded JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n,
+      changed = changed + excluded.changed, wrong = wrong + excluded.wrong, excused = excused + excluded.excused,
+      false_positives = false_positives + excluded.false_positives, false_negatives = false_negatives + excluded.false_negatives;
+  )";
 
 }  // namespace
 
@@ -188,13 +194,14 @@ void merge(Database& into, const std::filesystem::path& from)
   if (!has_all(into)) {
     refuse_common_batches(into, from);
     into.run(merge_attached);
-    if (knows_hello(into, "other")) into.run(merge_newer_tables);
+    if (has_table(into, "hello", "other")) into.run(merge_newer_tables);
+    if (has_table(into, "rounded", "other")) into.run(merge_rounded);
     into.run("DROP TABLE renumbered");
   }
   into.run(
       "INSERT OR IGNORE INTO main.words SELECT * FROM other.words ORDER BY rowid;"
       "INSERT OR IGNORE INTO main.command SELECT * FROM other.command");
-  if (knows_hello(into, "other")) into.run("INSERT OR IGNORE INTO main.hello SELECT * FROM other.hello");
+  if (has_table(into, "hello", "other")) into.run("INSERT OR IGNORE INTO main.hello SELECT * FROM other.hello");
   transaction.commit();
 }
 

@@ -24,9 +24,9 @@ std::map<std::string, std::string> columns_of(Database& database)
 
 }  // namespace
 
-bool knows_hello(Database& database, const std::string& in)
+bool has_table(Database& database, const std::string& table, const std::string& in)
 {
-  return Database::Statement(database, "SELECT 1 FROM " + in + ".sqlite_master WHERE name = 'hello'").with().next();
+  return Database::Statement(database, "SELECT 1 FROM " + in + ".sqlite_master WHERE name = ?1").with(table).next();
 }
 
 void require_columns_of_schema(Database& database)

@@ -25,6 +25,10 @@ namespace tetracone::verify {
 ///    meet: 0 for the exact time, -1 for an earlier, 1 for a later one. At the level 'relations' the question
 ///    'relation' is the number of one of the eight, and 'dimension' is that of the contact. The question 'overlap' is
 ///    the number of right statements about the overlap.
+///  - rounded: answers of subjects that hold their input as floats, judged by the truth of the rounded input too. Bins
+///    are of ulps of the input. An input without a float is not counted. changed: that truth is another one; wrong: of
+///    the input; false positives and negatives: of the rounded one. excused: wrong of the input and right of the rounded
+///    one.
 ///  - truth: cases by question, with the number of positive answers and the number also known by construction.
 ///    Each is the answer of both truths. At the level 'motions' the second truth does not decide all; there
 ///    by_construction counts those that it decides. At the level 'relations' the questions are the eight relations. The
@@ -58,6 +62,9 @@ CREATE TABLE IF NOT EXISTS done (seed INTEGER, level TEXT, family TEXT, batch IN
 CREATE TABLE IF NOT EXISTS tally (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, poses TEXT, axis TEXT, bin INTEGER,
   n INTEGER, false_positives INTEGER, false_negatives INTEGER, failures INTEGER, not_asked INTEGER,
   PRIMARY KEY (run, level, family, subject, question, poses, axis, bin)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS rounded (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, bin INTEGER,
+  n INTEGER, changed INTEGER, wrong INTEGER, excused INTEGER, false_positives INTEGER, false_negatives INTEGER,
+  PRIMARY KEY (run, level, family, subject, question, bin)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS truth (run INTEGER, level TEXT, family TEXT, question TEXT, n INTEGER, positives INTEGER, by_construction INTEGER,
   PRIMARY KEY (run, level, family, question)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS wrong (run INTEGER, level TEXT, family TEXT, number INTEGER, parameter REAL, subject TEXT, question TEXT,
@@ -89,9 +96,9 @@ CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject T
 /// schema. Another version wrote it; this one neither continues it nor merges shards from it.
 void require_columns_of_schema(Database& database);
 
-/// True when the schema `in` of the database has the tables hello, declined and skipped, which older versions did not
-/// write. The schema is "main", or an attached one.
-bool knows_hello(Database& database, const std::string& in = "main");
+/// True when the schema `in` of the database has the table. The schema is "main", or an attached one. Older versions
+/// did not write hello, declined, skipped and rounded.
+bool has_table(Database& database, const std::string& table, const std::string& in = "main");
 
 }  // namespace tetracone::verify
 

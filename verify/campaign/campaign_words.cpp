@@ -105,7 +105,7 @@ void refuse_other_words(Database& into, const std::filesystem::path& from)
           "of another campaign than " + into.file().native() +
               (there.with().next() ? ", " + difference(there, here) : std::string(": nothing was asked")),
           "expected shards that were asked with the same words");
-  if (knows_hello(into) && knows_hello(into, "other")) {
+  if (has_table(into, "hello") && has_table(into, "hello", "other")) {
     Database::Statement hello(into,
                               "SELECT there.subject FROM other.hello AS there JOIN main.hello AS here USING (subject) "
                               "WHERE there.hello != here.hello OR there.digest != here.digest");

@@ -63,10 +63,16 @@ bool holds(const Placed_body& placed, const Holder& holder, const Coordinates& x
 /// - limits at the distance, beside it and far from it.
 /// The answer's value is the number of right statements. Subjects are not asked about bodies of more than `most_faces`
 /// faces.
+///
+/// A subject that knows the rounded distance alone is judged by two questions. Its distance is 0 for the nearest
+/// double, -1 for a smaller one, 1 for a larger one. Its right answers to the six limits are counted.
 class Distance_page : public Two_questions<levels::Distances> {
  public:
   auto relations() const { return distance_relations(); }
-  bool tries_relations(std::uint64_t, Question, const Told& told) const { return told.outcome == Outcome::yes; }
+  bool tries_relations(std::uint64_t, Question, const Told& told) const
+  {
+    return told.outcome == Outcome::yes && !told.answer.is_alone;
+  }
   bool takes(const Object_case& c) const { return c.a->face_count() <= most_faces && c.b->face_count() <= most_faces; }
 
   void learn(const Object_case& c)
@@ -98,13 +104,14 @@ class Distance_page : public Two_questions<levels::Distances> {
 
   Statements statements(const Answered& a) const
   {
+    if (a.told.answer.is_alone) return of_rounded(a);
     Statement statement{name(a.question), statement_count, {}, away_, has_fractions(a.c)};
     if (a.told.outcome == Outcome::yes) statement.value = right_statements(a);
     return {statement};
   }
 
  private:
-  static constexpr int statement_count = 12;
+  static constexpr int limit_count = 6, statement_count = 6 + limit_count;
   /// Both truths judge bodies with fewer faces than this.
   static constexpr std::size_t few_faces = 12;
 
@@ -117,14 +124,46 @@ class Distance_page : public Two_questions<levels::Distances> {
     int right = (Rational(nearest.squared) == square_) + (square_of(point[0], point[1]) == square_) +
                 holds(*a_, nearest.holder[0], point[0]) + holds(*b_, nearest.holder[1], point[1]) +
                 is_nearest_root(nearest.distance, square_) + (a.told.answer.alone == nearest.distance);
-    const double d = std::min(nearest.distance, std::numeric_limits<double>::max());
-    for (const double limit : {d, std::nextafter(d, 0.0), next_above(d), d / 2,
-                               std::min(d + d / 4, std::numeric_limits<double>::max()), 0.0}) {
-      const bool is_within = square_ <= Rational(limit) * Rational(limit);
-      const Outcome outcome = a.running.within(a.c, a.question, kernel::exact_text(Rational(limit)));
-      right += outcome == (is_within ? Outcome::yes : Outcome::no);
-    }
+    for (const double limit : limits(nearest.distance)) right += answers_within(a, limit) == is_within(limit);
     return right;
+  }
+
+  static std::array<double, limit_count> limits(double distance)
+  {
+    constexpr double largest = std::numeric_limits<double>::max();
+    const double d = std::min(distance, largest);
+    return {d, std::nextafter(d, 0.0), next_above(d), d / 2, std::min(d + d / 4, largest), 0.0};
+  }
+  Outcome is_within(double limit) const
+  {
+    return square_ <= Rational(limit) * Rational(limit) ? Outcome::yes : Outcome::no;
+  }
+  static Outcome answers_within(const Answered& a, double limit)
+  {
+    return a.running.within(a.c, a.question, kernel::exact_text(Rational(limit)));
+  }
+
+  Statements of_rounded(const Answered& a) const
+  {
+    Statements all;
+    const double told = a.told.answer.alone;
+    Statement statement{name(a.question), 0, {}, away_, has_fractions(a.c)};
+    if (a.told.outcome != Outcome::yes) return {statement};
+    if (!std::isnan(told)) {
+      statement.value = is_nearest_root(told, square_) ? 0 : Rational(told) * Rational(told) < square_ ? -1 : 1;
+      all.push_back(statement);
+    }
+    statement.question += " within";
+    statement.truth = limit_count;
+    int right = 0;
+    for (const double limit : limits(std::sqrt(square_.get_d()))) {
+      const Outcome outcome = answers_within(a, limit);
+      if (outcome == Outcome::not_asked) return all;
+      right += outcome == is_within(limit);
+    }
+    statement.value = right;
+    all.push_back(statement);
+    return all;
   }
 
   std::optional<Brute_body> body_a_, body_b_;

@@ -31,7 +31,7 @@ void Findings::add_answer(const std::string& subject, const Statement& statement
                           const std::optional<Spent>& spent)
 {
   const Asked asked{subject, statement.question};
-  const auto& [question, truth, value, away, has_fractions, stage] = statement;
+  const auto& [question, truth, value, away, has_fractions, stage, rounded_truth] = statement;
   for (const auto& [axis, log2] : {std::pair{on_rho, away.log2_rho}, {on_ulps, away.log2_ulps}}) {
     Tally& tally = tally_[{asked, {axis, bin(log2), has_fractions}}];
     tally.not_asked += !is_asked;
@@ -40,6 +40,15 @@ void Findings::add_answer(const std::string& subject, const Statement& statement
     tally.failures += !value;
     tally.false_positives += value && *value > truth;
     tally.false_negatives += value && *value < truth;
+  }
+  if (is_asked && value && rounded_truth) {
+    Rounded& rounded = rounded_[{asked, bin(away.log2_ulps)}];
+    ++rounded.n;
+    rounded.changed += *rounded_truth != truth;
+    rounded.wrong += *value != truth;
+    rounded.excused += *value != truth && *value == *rounded_truth;
+    rounded.false_positives += *value > *rounded_truth;
+    rounded.false_negatives += *value < *rounded_truth;
   }
   if (!is_asked || !spent) return;
   Time& time = time_[asked];
@@ -108,6 +117,16 @@ void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, s
     tally.run(run, level_, family_, asked.first, asked.second, place.has_fractions ? with_fractions : of_doubles,
               place.axis, place.bin, t.n, t.false_positives, t.false_negatives, t.failures, t.not_asked);
   }
+
+  Sql rounded(
+      database,
+      "INSERT INTO rounded VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12) ON CONFLICT DO UPDATE SET "
+      "n = n + excluded.n, changed = changed + excluded.changed, wrong = wrong + excluded.wrong, "
+      "excused = excused + excluded.excused, false_positives = false_positives + excluded.false_positives, "
+      "false_negatives = false_negatives + excluded.false_negatives");
+  for (const auto& [key, r] : rounded_)
+    rounded.run(run, level_, family_, key.first.first, key.first.second, key.second, r.n, r.changed, r.wrong, r.excused,
+                r.false_positives, r.false_negatives);
 
   // -1 stands for NULL where the time of making is unknown.
   Sql time(database,

@@ -27,6 +27,7 @@ struct Statement {
   Distance away = {HUGE_VAL, HUGE_VAL};  ///< of the case to degeneracy
   bool has_fractions = false;            ///< an entry of the case's poses is no double
   std::optional<Stage> stage{};          ///< that made the answer wrong
+  std::optional<int> rounded_truth{};    ///< of the input in floats, where the subject holds it so
 };
 
 /// The results of a batch of cases, stored in the database as one transaction. Names are those of its tables.
@@ -70,6 +71,9 @@ class Findings {
   struct Tried {
     std::int64_t tried = 0, violated = 0, not_applicable = 0;
   };
+  struct Rounded {
+    std::int64_t n = 0, changed = 0, wrong = 0, excused = 0, false_positives = 0, false_negatives = 0;
+  };
   struct Time {
     std::int64_t n = 0, nanoseconds = 0;
     std::optional<std::int64_t> making;
@@ -102,6 +106,7 @@ class Findings {
   std::string level_, family_;
   std::map<std::string, Truth> truth_;
   std::map<std::pair<Asked, Place>, Tally> tally_;
+  std::map<std::pair<Asked, int>, Rounded> rounded_;  // the bin of ulps
   std::map<Asked, Time> time_;
   std::map<std::pair<Asked, std::string>, std::int64_t> blame_;
   std::map<std::tuple<std::string, std::string, std::string>, Tried> relation_;  // relation, subject, question

@@ -35,6 +35,7 @@ class Object_page : public Two_questions<levels::Objects> {
   void learn(const Object_case& c)
   {
     c_ = &c;
+    rounded_.clear();
     away_ = distance(c);
     const Brute_body body_a(*c.a), body_b(*c.b);
     const Placed_body a(body_a, c.pose_a), b(body_b, c.pose_b);
@@ -66,6 +67,8 @@ class Object_page : public Two_questions<levels::Objects> {
     if (is_asked && a.told.outcome != Outcome::failed) statement.value = a.told.outcome == Outcome::yes;
     if (a.subject.own && statement.value && *statement.value != truth)
       statement.stage = blame(*a.subject.own, a.c, a.question, truth == 1);
+    if (statement.value && a.subject.in_floats != In_floats::nothing)
+      statement.rounded_truth = rounded_truth(a.subject.in_floats, a.question);
     answers_[{a.number, a.question}].push_back(is_asked ? std::optional(statement.value.value_or(-1)) : std::nullopt);
     return {statement};
   }
@@ -91,8 +94,23 @@ class Object_page : public Two_questions<levels::Objects> {
   }
 
  private:
+  /// The truth of the case as such a subject holds it; nothing where it cannot.
+  std::optional<int> rounded_truth(In_floats in_floats, Question question)
+  {
+    const auto [known, is_new] = rounded_.try_emplace({in_floats, question});
+    if (!is_new) return known->second;
+    const auto c = float_input(*c_, in_floats);
+    if (!c) return std::nullopt;
+    const bool truth = collide(Brute_body(*c->a), c->pose_a, Brute_body(*c->b), c->pose_b, question);
+    if (truth != integer_truth::collide(*c, question))
+      throw Truths_disagree("the two truths of the input in floats disagree", *c, question);
+    known->second = truth;
+    return known->second;
+  }
+
   const Object_case* c_ = nullptr;
   Distance away_{};
+  std::map<std::pair<In_floats, Question>, std::optional<int>> rounded_;  // truths of this case
   // The truths and answers of all cases in order, by question, and by subject and question. Nothing stands for a case
   // that was not asked, -1 for a failure.
   std::map<Question, std::vector<int>> truths_;

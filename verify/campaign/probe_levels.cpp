@@ -60,10 +60,13 @@ class Point_page : public Page<levels::Points> {
   int truth_ = 0;
 };
 
-/// Judges three questions: the first face with its t, all faces with their t, and all faces. An answer is a list.
+/// Judges three questions: the first face with its t, all faces with their t, and all faces. An answer is a list. An
+/// answer of the first t alone is judged by whether the ray meets the body. Where both say that it does, its t is 0 for
+/// the nearest double, -1 for a smaller one, 1 for a larger one.
 class Ray_page : public Page<levels::Rays> {
  public:
   auto relations() const { return ray_relations(); }
+  bool tries_relations(std::uint64_t, Question, const Told& told) const { return !told.answer.is_first_t; }
 
   void learn(const Probe_case& c)
   {
@@ -84,6 +87,7 @@ class Ray_page : public Page<levels::Rays> {
 
   Statements statements(const Answered& a) const
   {
+    if (a.told.answer.is_first_t) return of_first_t(a);
     const Lists told = lists_of(a.told.answer);
     const auto statement = [&](const char* question, const auto& given, const auto& truth) {
       const bool is_told = a.told.outcome == Outcome::yes;
@@ -95,6 +99,16 @@ class Ray_page : public Page<levels::Rays> {
   }
 
  private:
+  Statements of_first_t(const Answered& a) const
+  {
+    Statement meets{"meets", !truth_.all.empty(), {}, degeneracy(is_tied_)};
+    const auto& first = a.told.answer.first;
+    if (a.told.outcome == Outcome::yes) meets.value = first.has_value();
+    if (!first || truth_.all.empty()) return {meets};
+    const double t = truth_.first[0].first;
+    return {meets, {"first t", 0, first->t == t ? 0 : first->t < t ? -1 : 1, degeneracy(is_tied_)}};
+  }
+
   /// An answer as sorted lists.
   struct Lists {
     std::vector<std::pair<double, covering::Index>> first, all;

@@ -70,6 +70,13 @@ constexpr Table all[] = {
      "BY 1, 2, 3, 4"},
     {"stages", "the stage that made the answers of rounding trees wrong, over all families",
      "SELECT subject, question, stage, sum(n) AS n FROM blame GROUP BY subject, question, stage ORDER BY 1, 2, 3"},
+    {"rounded",
+     "answers of subjects that hold their input as floats: how often rounding the input changes the truth, wrong "
+     "answers, those excused by the rounding, and wrong answers to the rounded input, with Wilson's 95 % interval",
+     "SELECT level, family, subject, question, sum(n) AS n, sum(changed) AS changed, sum(wrong) AS wrong, sum(excused) "
+     "AS excused, sum(false_positives) AS false_positives, sum(false_negatives) AS false_negatives, "
+     "sum(false_positives + false_negatives) AS hits, sum(n) AS of_n FROM rounded GROUP BY level, family, subject, "
+     "question ORDER BY 1, 2, 3, 4"},
     {"relations", "metamorphic relations: tried, violated, with Wilson's 95 % interval",
      "SELECT level, relation, subject, sum(tried) AS tried, sum(violated) AS violated, sum(not_applicable) AS "
      "not_applicable, "
@@ -129,6 +136,9 @@ void add_families(Database& database)
 }
 
 /// Empty tables in place of those that a database of an older version lacks; they last as long as the connection.
+constexpr const char* no_rounded =
+    "CREATE TEMP TABLE IF NOT EXISTS rounded (level, family, subject, question, n, changed, wrong, excused, "
+    "false_positives, false_negatives)";
 constexpr const char* no_hello =
     "CREATE TEMP TABLE IF NOT EXISTS hello (subject, hello, digest);"
     "CREATE TEMP TABLE IF NOT EXISTS declined (run, level, family, number, subject, question, why);"
@@ -164,7 +174,9 @@ std::string table_as_csv(Database& database, std::string_view name)
   if (name == "failures" &&
       !Database::Statement(database, "SELECT 1 FROM sqlite_master WHERE name = 'failure'").with().next())
     return "level,family,subject,question,how,n,said\n";
-  if ((name == "hellos" || name == "declined" || name == "skipped") && !knows_hello(database)) database.run(no_hello);
+  if ((name == "hellos" || name == "declined" || name == "skipped") && !has_table(database, "hello"))
+    database.run(no_hello);
+  if (name == "rounded" && !has_table(database, "rounded")) database.run(no_rounded);
   Database::Statement rows(database, table->sql);
   const int columns = rows.columns();
   const bool has_rate = rows.name(columns - 1) == "of_n";

@@ -214,7 +214,8 @@ Verdict ray_first(const Ray_level::Trial& t)
 {
   const auto told = t.subject(t.c);
   if (told.outcome != Outcome::yes) return Verdict::not_applicable;
-  const auto& [first, all] = told.answer;
+  const auto& first = told.answer.first;
+  const auto& all = told.answer.all;
   const bool is_ordered = std::ranges::is_sorted(all, [](const Ray_hit& x, const Ray_hit& y) { return x.t < y.t; });
   const bool is_first = all.empty() ? !first : first && *first == all.front();
   return verdict(is_ordered && is_first);

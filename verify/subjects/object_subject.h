@@ -5,6 +5,7 @@
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/door/overlap.h"
 #include "verify/cases/case.h"
+#include "verify/subjects/float_input.h"
 #include "verify/subjects/running.h"
 #include "verify/subjects/subject.h"
 #include "verify/truth/contact_pieces.h"
@@ -32,7 +33,8 @@ using Feature_pairs = std::vector<kernel::Feature_pair>;
 /// The distance of two placed bodies.
 struct Distance_answer {
   Nearest nearest;
-  double alone = 0;  ///< the distance, asked for without the rest
+  double alone = 0;       ///< the distance, asked for without the rest
+  bool is_alone = false;  ///< `alone` is all that it knows; NaN where it answers `within` alone
 };
 
 /// The relation of two placed solids, and their overlap.
@@ -98,6 +100,7 @@ struct Object_subject {
   std::string hello{};    ///< what that program says of itself; may be empty
   std::string digest{};   ///< of that program's files
   Knows knows = Knows::both;
+  In_floats in_floats = In_floats::nothing;  ///< for peers and programs
 };
 
 /// Returns our kernels with their methods as subjects. The adaptive kernel has two more. One is the fast tree that

@@ -20,6 +20,7 @@ using Point_subject = Subject_of<Running_points>;
 struct Ray_answer {
   std::optional<Ray_hit> first;
   std::vector<Ray_hit> all;
+  bool is_first_t = false;  ///< it knows the `t` of the first hit and no more
 };
 using Running_rays = Running<Probe_case, Ray_answer>;
 using Ray_subject = Subject_of<Running_rays>;

@@ -9,7 +9,7 @@ const columns = (m) => [m[0], m[4], m[8], 0, m[1], m[5], m[9], 0, m[2], m[6], m[
 
 serve({
   library: 'manifold-3d',
-  hello: { name: 'Manifold', precision: 'float32', bodies: 'manifold', poses: 'affine', questions: ['solid'] },
+  hello: { name: 'Manifold', precision: 'float64', vertices: 'float32', bodies: 'manifold', poses: 'affine', questions: ['solid'] },
   prepare: ({ vertices, triangles }) => {
     try {
       const solid = new Manifold(new Mesh({ numProp: 3, vertProperties: Float32Array.from(vertices), triVerts: triangles }));

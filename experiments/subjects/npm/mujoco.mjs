@@ -20,7 +20,7 @@ function compiled(a, b) {
 
 serve({
   library: '@mujoco/mujoco',
-  hello: { name: 'MuJoCo hull', precision: 'float32', bodies: 'convex', questions: ['solid'], touching: 'open' },
+  hello: { name: 'MuJoCo hull', precision: 'float64', vertices: 'float32', bodies: 'convex', questions: ['solid'], touching: 'open' },
   prepare: (body) => body,
   ready: compiled,
   collide: (a, b, { rigid_a, rigid_b }) => {

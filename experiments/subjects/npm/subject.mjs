@@ -59,7 +59,9 @@ export function isConvex({ vertices: v, triangles: t }) {
 // Speaks for an engine. `prepare(body)` returns its form of a body of `vertices` (Float64Array) and `triangles`
 // (Uint32Array), null to decline; `collide(a, b, pose)` returns a boolean, null to decline; pose has rigid_a, rigid_b,
 // pose_a and pose_b. `ready(a, b)` is not timed. `release(form)` frees it. An exception ends the program: the harness counts a failure.
-export async function serve({ hello, library, prepare, collide, ready = () => {}, release = () => {} }) {
+// Other kinds of question, which the hello names: `inside(a, point)` returns -1, 0 or 1; `distance(a, b, poses)` a number, null to decline;
+// `ray(a, origin, direction)` and `firstContact(a, b, poses)` return t, null where nothing is met, undefined to decline.
+export async function serve({ hello, library, prepare, collide, inside, distance, ray, firstContact, ready = () => {}, release = () => {} }) {
   const takes = { precision: 'float32', bodies: 'any', poses: 'rigid', questions: ['surface'], touching: 'closed', batch: true, ...hello };
   const say = (message) => process.stdout.write(JSON.stringify(message) + '\n');
   say({ hello: 1, version: version(library), library: `${library}@${version(library)}`, script: script(), ...takes });
@@ -69,22 +71,35 @@ export async function serve({ hello, library, prepare, collide, ready = () => {}
     if (!('form' in body)) body.form = body.triangles && (takes.bodies !== 'convex' || isConvex(body)) ? prepare(body) : null;
     return body.form;
   };
+  const met = (t) => t === undefined ? { answer: null } : t === null ? { answer: 0 } : { answer: 1, t };
+  const yes = (hit) => ({ answer: hit == null ? null : hit ? 1 : 0 });
+  const kinds = {
+    inside: (a, b, m) => ({ answer: inside(a, m.point) }),
+    ray: (a, b, m) => met(ray(a, m.origin, m.direction)),
+    distance: (a, b, m) => ({ answer: distance(a, b, m) }),
+    within: (a, b, m) => {
+      const d = distance(a, b, m);
+      return yes(d == null ? null : d <= number(m.limit));
+    },
+    'first contact': (a, b, m) => met(firstContact(a, b, m)),
+  };
   const answer = (m) => {
-    const told = { ask: m.ask, answer: null };
-    if (!takes.questions.includes(m.question)) return told;
-    for (const key of ['pose_a', 'pose_b']) m[key] = m[key].map(number);
-    if (takes.poses === 'rigid') {
-      m.rigid_a ??= rigid(m.pose_a);
-      m.rigid_b ??= rigid(m.pose_b);
-      if (!m.rigid_a || !m.rigid_b) return told;
+    const declined = { ask: m.ask, answer: null };
+    if (!takes.questions.includes(m.question)) return declined;
+    for (const which of ['a', 'b', 'end_a', 'end_b']) {
+      const [pose, motion] = which.length > 1 ? [which, `rigid_${which}`] : [`pose_${which}`, `rigid_${which}`];
+      if (!(pose in m)) continue;
+      m[pose] = m[pose].map(number);
+      if (takes.poses === 'rigid' && !(m[motion] ??= rigid(m[pose]))) return declined;
     }
-    const a = form(bodies.get(m.a)), b = form(bodies.get(m.b));
-    if (a == null || b == null) return told;
-    ready(a, b);
+    const forms = [m.a, m.b].filter((body) => body !== undefined).map((body) => form(bodies.get(body)));
+    if (forms.some((f) => f == null)) return declined;
+    const [a, b] = forms;
+    ready(a, b ?? a);
     const start = process.hrtime.bigint();
-    const hit = collide(a, b, m);
-    if (hit == null) return told;
-    return { ask: m.ask, answer: hit ? 1 : 0, ns: Number(process.hrtime.bigint() - start) };
+    const told = kinds[m.question]?.(a, b, m) ?? yes(collide(a, b, m));
+    if (told.answer === null) return declined;
+    return { ask: m.ask, ...told, ns: Number(process.hrtime.bigint() - start) };
   };
 
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {

@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(lines_that_are_no_objects_are_skipped_and_counted)
   BOOST_TEST((*running)(along(2), Question::surface) == Outcome::not_asked);
   BOOST_TEST(running->skipped_lines() == 0u);
   const std::string said = checked("banner");
-  BOOST_TEST(said.find("skipped 13 lines that do not begin with {") != std::string::npos, said);
+  BOOST_TEST(said.find("skipped 14 lines that do not begin with {") != std::string::npos, said);
 }
 
 BOOST_AUTO_TEST_CASE(a_hello_says_what_is_asked)
@@ -279,6 +279,87 @@ BOOST_AUTO_TEST_CASE(a_hello_says_what_is_asked)
   BOOST_TEST(asked("convex", cubes(sheared), Question::surface) == "declined");
   BOOST_TEST(asked("convex", tunnel, Question::surface) == "not taken");
   BOOST_TEST(!experiments::require_command(command(), 10s).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_program_is_asked_the_kinds_of_question_that_its_hello_names)
+{
+  const std::string questions =
+      "exec '" TETRACONE_PYTHON "' '" TETRACONE_SOURCE_DIR "/experiments/subjects/questions.py'";
+  auto subject = experiments::subject_command("mine", questions, 10s, experiments::require_command(questions, 10s));
+  std::ostringstream out;
+  BOOST_TEST(experiments::check_subject(questions, 10s, out), out.str());
+  for (const char* kind : {"relation", "within", "distance", "inside", "ray", "first contact"})
+    BOOST_TEST(out.str().find(std::string("takes  ") + kind) != std::string::npos, kind);
+
+  BOOST_TEST(experiments::tells_distances(subject));
+  const auto running = subject.make();
+  // A relation answers both questions: a cube in a cube has no common surface.
+  Object_case in_another = along(0);
+  in_another.b = std::make_shared<const covering::Polyhedron>(verify::box({-1, -1, -1}, {2, 2, 2}));
+  BOOST_TEST(((*running)(in_another, Question::surface) == Outcome::no));
+  BOOST_TEST(((*running)(in_another, Question::solid) == Outcome::yes));
+  BOOST_TEST(((*running)(along(1), Question::surface) == Outcome::yes));
+  BOOST_TEST(((*running)(along(1.5), Question::solid) == Outcome::no));
+  const auto apart = along(3);
+  const auto told = running->distance(apart, Question::solid);
+  BOOST_TEST((told.outcome == Outcome::yes && told.answer.is_alone));
+  BOOST_TEST(told.answer.alone == 2);
+  BOOST_TEST((running->within(apart, Question::surface, "2") == Outcome::yes));
+  BOOST_TEST((running->within(apart, Question::surface, "5/3") == Outcome::no));
+
+  verify::Probe_case probe{apart.a, {0.5, 0.5, 0.25}, {0, 0, 0}, {}};
+  const auto points = experiments::point_command(subject, 10s)->make();
+  BOOST_TEST((*points)(probe).answer == 1);
+  probe.from[0] = 1;
+  BOOST_TEST((*points)(probe).answer == 0);
+  probe.from[0] = 2;
+  BOOST_TEST((*points)(probe).answer == -1);
+  const auto rays = experiments::ray_command(subject, 10s)->make();
+  probe.direction = {-2, 0, 0};
+  auto hit = (*rays)(probe);
+  BOOST_TEST((hit.outcome == Outcome::yes && hit.answer.is_first_t));
+  BOOST_TEST_REQUIRE(hit.answer.first.has_value());
+  BOOST_TEST(hit.answer.first->t == 0.5);
+  probe.direction = {2, 0, 0};
+  hit = (*rays)(probe);
+  BOOST_TEST((hit.outcome == Outcome::yes && !hit.answer.first));
+
+  const auto motions = experiments::motion_command(subject, 10s)->make();
+  verify::Moving_bodies moving{*apart.a, *apart.b, {}, {}};
+  moving.motion_a = {{{1, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 0, 0, 0}}};
+  moving.motion_b = {{{1, 0, 0, 0, 3, 0, 0}, {1, 0, 0, 0, -1, 0, 0}}};
+  const auto met = (*motions)(moving, Question::surface);
+  BOOST_TEST((met.outcome == Outcome::yes && met.answer.lo == 0.5 && met.answer.hi == 0.5));
+  moving.motion_b[1][4] = 9;
+  BOOST_TEST(((*motions)(moving, Question::surface).outcome == Outcome::no));
+  moving.motion_b[1][1] = 1;  // it turns
+  BOOST_TEST(((*motions)(moving, Question::surface).outcome == Outcome::not_asked));
+
+  // A program is asked of no other kind unless it names it.
+  subject.hello = R"({"hello": 1, "questions": ["solid", "within"]})";
+  BOOST_TEST(experiments::tells_distances(subject));
+  BOOST_TEST((!experiments::point_command(subject, 10s) && !experiments::ray_command(subject, 10s) &&
+              !experiments::motion_command(subject, 10s)));
+  subject.hello = "";
+  BOOST_TEST(!experiments::tells_distances(subject));
+}
+
+BOOST_AUTO_TEST_CASE(answers_of_each_kind_have_their_form)
+{
+  namespace lines = experiments::subject_lines;
+  using lines::Kind;
+  const auto outcome = [](Kind kind, const std::string& answer) {
+    return lines::read("{\"ask\": 1, \"answer\": " + answer + "}", 1, kind).outcome;
+  };
+  for (const Kind kind : lines::all_kinds) {
+    BOOST_TEST((outcome(kind, "null") == Outcome::not_asked), to_string(kind));
+    BOOST_TEST(!outcome(kind, "2.5").has_value() == (kind != Kind::distance), to_string(kind));
+    BOOST_TEST(!outcome(kind, "-1").has_value() == (kind != Kind::inside), to_string(kind));
+    BOOST_TEST(!outcome(kind, "\"1\"").has_value(), to_string(kind));
+  }
+  BOOST_TEST((outcome(Kind::ray, "1, \"t\": 7") == Outcome::yes));
+  BOOST_TEST(!outcome(Kind::first_contact, "1, \"t\": 7").has_value());
+  BOOST_TEST(!outcome(Kind::ray, "1").has_value());
 }
 
 BOOST_AUTO_TEST_CASE(a_program_that_is_too_slow_is_not_asked_larger_bodies)
@@ -334,7 +415,7 @@ for line in sys.stdin:
   std::ostringstream out;
   BOOST_TEST(experiments::check_subject("'" TETRACONE_PYTHON "' '" + declines.path().native() + "'", 10s, out),
              out.str());
-  BOOST_TEST(out.str().find("declined 29 of 29 questions") != std::string::npos, out.str());
+  BOOST_TEST(out.str().find("declined 30 of 30 questions") != std::string::npos, out.str());
 }
 
 BOOST_AUTO_TEST_CASE(the_examples_follow_the_protocol)
@@ -355,6 +436,18 @@ BOOST_AUTO_TEST_CASE(the_examples_follow_the_protocol)
   };
   for (const char* name : {"plain_sat", "embree_rays"})
     example(name, "exec '" + (folder / name).native() + "'", std::filesystem::exists(folder / name));
+  // A plug-in tells the time of its function alone.
+  const std::string plugged =
+      "exec '" + (folder / "plugin_host").native() + "' '" + (folder / "plugin_edges.so").native() + "'";
+  example("plugin_edges", plugged, std::filesystem::exists(folder / "plugin_edges.so"));
+  if (std::filesystem::exists(folder / "plugin_edges.so")) {
+    const auto running = experiments::subject_command("plugin", plugged, 10s).make();
+    BOOST_TEST((*running)(along(0.5), Question::surface) == Outcome::yes);
+    BOOST_TEST_REQUIRE(running->spent().has_value());
+    BOOST_TEST(running->spent()->asking > 0u);
+    BOOST_TEST((*running)(along(0.5), Question::solid) == Outcome::not_asked);
+    BOOST_TEST((!experiments::require_command("exec '" + (folder / "plugin_host").native() + "' /dev/null", 10s)));
+  }
   const std::string numpy = std::string(TETRACONE_SOURCE_DIR) + "/experiments/subjects/numpy_edges.py";
   example("numpy_edges", "exec '" TETRACONE_PYTHON "' '" + numpy + "'",
           std::system("'" TETRACONE_PYTHON "' -c 'import numpy' 2> /dev/null") == 0);

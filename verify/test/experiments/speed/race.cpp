@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
 
 BOOST_AUTO_TEST_SUITE(test_race)
 
@@ -49,6 +52,58 @@ BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they
   BOOST_TEST(surface[1]->false_negatives == 1u);
   BOOST_TEST(surface[1]->false_positives == 0u);
   BOOST_TEST(!race.run(Question::solid, 1, 1)[1]);  // it knows none
+}
+
+namespace {
+
+/// A program that is right, tells `ns` of each answer, and declines the poses where B is at `declined`.
+class Says : public verify::Running_subject {
+ public:
+  Says(std::optional<std::uint64_t> ns, double declined) : ns_(ns), declined_(declined) {}
+
+  verify::Outcome operator()(const verify::Object_case& c, Question) override
+  {
+    if (c.pose_b[3] == declined_) return verify::Outcome::not_asked;
+    return c.pose_b[3] <= 1 ? verify::Outcome::yes : verify::Outcome::no;
+  }
+  std::optional<verify::Spent> spent() const override
+  {
+    return ns_ ? std::optional(verify::Spent{{}, *ns_}) : std::nullopt;
+  }
+
+ private:
+  std::optional<std::uint64_t> ns_;
+  double declined_;
+};
+
+Contestant says(std::optional<std::uint64_t> ns, double declined)
+{
+  verify::Object_subject subject;
+  subject.name = "says";
+  subject.make = [=] { return std::make_unique<Says>(ns, declined); };
+  return program(subject);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_programs_time_is_its_own_clocks)
+{
+  const Race_course course = three_poses();
+  const Course_truth truth = course_truth(course);
+  Race race(course, truth, {fast(), says(12'345, -1), says(std::nullopt, -1), says(7, 0.5)});
+  for (const Question question : {Question::surface, Question::solid}) {
+    const auto timings = race.run(question, 3, 1);
+    BOOST_TEST_REQUIRE(timings[1].has_value());
+    BOOST_TEST(timings[1]->mean_ns == 12'345);
+    BOOST_TEST(timings[1]->median_ns == 12'345);
+    BOOST_TEST(timings[1]->false_positives + timings[1]->false_negatives == 0u);
+    // Without one there is no time, but answers.
+    BOOST_TEST_REQUIRE(timings[2].has_value());
+    BOOST_TEST(!std::isfinite(timings[2]->mean_ns));
+    BOOST_TEST(timings[2]->poses == 4u);
+    // One that declines a pose is left out of the course.
+    BOOST_TEST(!timings[3].has_value());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_contestant_that_takes_no_such_bodies_is_not_in_the_race)

@@ -25,7 +25,7 @@ import field_trial  # noqa: E402
 APART = """
 import json, sys
 print("Loaded.")
-print(json.dumps({"hello": 1, "name": "Apart", "version": "1", "questions": ["surface"], "poses": "rigid"}), flush=True)
+print(json.dumps({"hello": 1, "name": "Apart", "version": "1", "questions": ["surface"], "poses": "rigid", "precision": "float32"}), flush=True)
 for line in sys.stdin:
     m = json.loads(line)
     if "ask" in m: print(json.dumps({"ask": m["ask"], "answer": 0, "ns": 5}), flush=True)
@@ -70,6 +70,16 @@ class Field(unittest.TestCase):
         self.assertEqual(json.loads(engine["text"])["version"], "1")
         self.assertGreater(engine["n"], 0)  # lines that it prints
 
+    def test_what_rounding_the_input_costs_stands_apart(self):
+        (row,) = self.of("rounded")
+        self.assertEqual((row["subject"], row["regime"], row["n"], row["invented"]), ("Apart", "ladder", 200, 0))
+        (apart,) = self.of("regime", subject="Apart")
+        self.assertEqual(row["wrong"], apart["missed"])
+        self.assertGreater(row["changed"], 5)
+        # What is called apart is excused where rounding parts the cubes, and missed where it makes them meet.
+        self.assertTrue(0 < row["excused"] < row["wrong"])
+        self.assertEqual(row["missed"] - row["wrong"] + 2 * row["excused"], row["changed"])
+
     def test_rungs_are_read_as_the_family_makes_them(self):
         wide = [r for r in self.of("ladder", subject="Apart", regime="overlap") if r["value"] != ""]
         self.assertEqual({r["size"] for r in wide}, {-10, -7, -4, 0, 3, 7, 10, 13})
@@ -78,6 +88,19 @@ class Field(unittest.TestCase):
         for row in self.of("ladder", subject="adaptive tree"):
             self.assertEqual(row["value"], "")
         self.assertTrue(all(r["value"] == "" or r["value"] < -15 for r in self.of("ladder", subject="float tree")))
+
+    def test_other_kinds_of_question_are_asked_of_those_that_name_them(self):
+        script = os.path.join(self.out, "misses.py")
+        with open(script, "w") as file:
+            file.write(APART.replace('["surface"]', '["surface", "ray"]'))
+        command, db = f"{sys.executable} {script}", os.path.join(self.out, "kinds.db")
+        subprocess.run([PROGRAM, "verify", "--db", db, "--level", "object", "--cases", "1", "--family", "lego", "--subject", "Misses", "--subject", "Apart",
+                        "--subject-command", "Misses=" + command, "--subject-command", "Apart=" + self.command], check=True, capture_output=True)
+        rows = []
+        field.other_kinds(db, PROGRAM, [("Misses", "double", command), ("Apart", "double", self.command)], 4, 10, rows)
+        (row,) = rows  # no ray meets anything, it says: there is no t to judge
+        self.assertEqual((row["subject"], row["regime"], row["question"], row["invented"], row["failed"]), ("Misses", "rays", "meets", 0, 0))
+        self.assertTrue(0 < row["missed"] < row["n"])
 
     def test_an_edited_program_is_another_subject(self):
         script = self.command.split()[1]
@@ -136,13 +159,19 @@ class Field(unittest.TestCase):
         with open(table, "w", newline="") as file:
             writer = csv.DictWriter(file, field.COLUMNS + field.MADE_BY)
             writer.writeheader()
-            writer.writerows({"text": ""} | row | origin for row in self.rows)
+            speed = {"table": "speed", "subject": "Apart", "question": "surface", "regime": "meshes", "n": 9, "value": 2500, "text": "0 collide"}
+            kind = {"table": "kind", "subject": "Apart", "question": "meets", "regime": "rays", "n": 77, "missed": 33}
+            writer.writerows({"text": ""} | row | origin for row in [*self.rows, speed, kind])
         field_page.write(table, page)
         with open(page) as file:
             text = file.read()
         (apart,) = self.of("regime", subject="Apart")
         self.assertIn(f'{apart["missed"]}+0<small> /200</small>', text)
         self.assertIn(self.made[0], text)
+        self.assertIn("33+0<small> /77</small>", text)
+        self.assertIn(f'Apart: 2.5 microseconds, {apart["missed"]} wrong of 200', text)
+        (rounded,) = self.of("rounded")
+        self.assertIn(f'{rounded["missed"]}+0<small> /200</small>', text)
 
     def test_packages_are_of_one_version_and_of_no_host(self):
         folder = os.path.join(SOURCE, "experiments", "subjects", "npm")

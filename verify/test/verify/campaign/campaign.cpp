@@ -121,7 +121,8 @@ class Lists : public Running_subject {
   }
 };
 
-Object_subject says_no{"says no", false, "", {}, [] { return std::make_unique<Says_no>(); }};
+Object_subject says_no{"says no", false, "", {},          [] { return std::make_unique<Says_no>(); },
+                       "",        "",    "", Knows::both, In_floats::vertices_and_poses};
 Object_subject of_doubles_alone{"of doubles", false, "", {}, [] { return std::make_unique<Of_doubles>(); }};
 Object_subject fails{"fails", false, "", {}, [] { return std::make_unique<Fails>(); }};
 Object_subject declines{"declines", false, "", {}, [] { return std::make_unique<Declines>(); }};
@@ -308,6 +309,7 @@ BOOST_AUTO_TEST_CASE(run_again_it_adds_nothing)
   Results results("again");
   const std::string once = results.with(small()).rows();
   BOOST_TEST(once.size() > 1000);
+  BOOST_TEST(once.find("excused,false_positives,false_negatives,rate,low,high\nobject,") != std::string::npos);
   BOOST_TEST((results.with(small()).rows() == once));
   BOOST_TEST((Results("other").with(small()).rows() == once));
 }

@@ -214,6 +214,46 @@ BOOST_AUTO_TEST_CASE(exact_subjects_are_right_about_every_family)
   check_exact<levels::Rays>(8);
 }
 
+BOOST_AUTO_TEST_CASE(what_rounding_the_input_costs_is_parted_from_what_the_subject_does)
+{
+  /// Exact about the input in floats.
+  class Rounds : public Running_subject {
+   public:
+    Outcome operator()(const Object_case& c, Question question) override
+    {
+      const auto rounded = float_input(c, In_floats::vertices_and_poses);
+      return rounded ? (*exact_)(*rounded, question) : Outcome::not_asked;
+    }
+
+   private:
+    std::unique_ptr<Running_subject> exact_ = object_subjects()[0].make();
+  };
+  Object_subject exact = object_subjects()[0];
+  exact.in_floats = In_floats::vertices_and_poses;
+  Object_subject rounds = exact;
+  rounds.name = "rounds";
+  rounds.own.reset();
+  rounds.make = [] { return std::make_unique<Rounds>(); };
+  const auto all = levels::Objects::families();
+  const auto ladder = std::ranges::find(all, "ladder", [](const Family* family) { return family->name; });
+  BOOST_TEST_REQUIRE((ladder != all.end()));
+  Rows<levels::Objects> rows({*ladder}, {exact, rounds});
+  rows.ask(40);
+  const auto sum = [&](const std::string& what, const std::string& subject) {
+    return rows.number("SELECT sum(" + what + ") FROM rounded WHERE subject = '" + subject + "'");
+  };
+  const auto changed = sum("changed", exact.name);
+  BOOST_TEST(changed > 4);
+  BOOST_TEST(sum("n", exact.name) == 80);
+  BOOST_TEST(sum("wrong", exact.name) == 0);
+  BOOST_TEST(sum("false_positives + false_negatives", exact.name) == changed);
+  BOOST_TEST(sum("n", "rounds") == 80);
+  BOOST_TEST(sum("wrong", "rounds") == changed);
+  BOOST_TEST(sum("excused", "rounds") == changed);
+  BOOST_TEST(sum("false_positives + false_negatives", "rounds") == 0);
+  BOOST_TEST(rows.sum(wrong, "rounds") == changed);
+}
+
 BOOST_AUTO_TEST_CASE(every_distance_of_every_family_is_exact)
 {
   auto families = named({"random", "voxels", "sliver", "wild", "nested", "degenerate-face"});
