@@ -356,6 +356,7 @@ def prove_relation(answer, bodies):
         for inside, row in enumerate(answer["ways"]):
             prove_way(row, placed, inside)
     elif said == "equal":
+        on_one_scale(*placed)
         need(shapes(placed[0]) == shapes(placed[1]), "the faces are not the same")
     elif said == "meet":
         need(prove_witness(answer["witness"], placed) == 0, "the points are not one")

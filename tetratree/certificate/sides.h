@@ -84,7 +84,7 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
         kernel::rounded_to_bits(way.rounded[0], 20), kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)));
     kernel::Exact_vector start;
     for (int c = 0; c < 3; ++c) {
-      const double aside = std::ldexp(size, 1 - n / lines_of_a_size) * pair.random(20) * 0x1p-20;
+      const double aside = std::ldexp(size, 1 - 2 * (n / lines_of_a_size)) * pair.random(20) * 0x1p-20;
       start[c] = kernel::Exact_number(middle[c] + aside) - half[c];
     }
     const kernel::Exact_vector all = kernel::detail::scaled(half, kernel::Exact_number(2));

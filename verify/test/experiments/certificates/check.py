@@ -122,6 +122,15 @@ class Certificates(unittest.TestCase):
                     else:
                         self.assertEqual(value["face"] if value else "-", int(line.split()[0]) if line != "-" else "-")
 
+    def test_solids_of_other_sizes_are_not_equal(self):
+        """A point in one body, whatever its denominator, does not scale that body alone."""
+        body = {"vertices": [line.split() for line in CUBE.split("\n")[2:10]], "faces": [[[int(v) for v in line.split()[1:]]] for line in CUBE.split("\n")[10:16]]}
+        for size, holds in (("1/2", False), ("1", True)):
+            beside = {"in": "b", "point": ["-1/4"] * 3, "ray": ["-1"] * 3, "winding": 0, "directions": [["1"] * 3], "cover": 0}
+            poses = {f"pose_{k}": [s, "0", "0", "0", "0", s, "0", "0", "0", "0", s, "0"] for k, s in (("a", "1"), ("b", size))}
+            certificate = {"certificate": "tetracone 1", "bodies": [body] * 2, "answers": [{"ask": "relation", **poses, "answer": "equal", "windings": [beside]}]}
+            self.assertEqual(lies.believed(json.dumps(certificate)), holds)
+
     def test_all_relations_are_among_the_proved(self):
         said = {answer["answer"] for text, *_ in self.certificates for answer in json.loads(text)["answers"] if answer["ask"] == "relation"}
         self.assertEqual(said, set(lies.ANSWERS["relation"]))
