@@ -375,6 +375,8 @@ def prove_exit(answer, bodies):
     first, last = vector(answer["answer"], exact, 2)
     need_form(any(along) and 0 <= first <= last, "the exits are not in order, or the direction is 0")
     prove_parted(answer, placed_at(answer, bodies, [first * x for x in along]))
+    if first == 0:
+        return need(last == 0, "solids that overlap nowhere have no exit but 0")
     gone = answer["gone"]
     need_keys(gone, "until directions cover windings")
     until = exact(gone["until"])
@@ -385,7 +387,7 @@ def prove_exit(answer, bodies):
     for body in range(2):
         need_each_shell(found, ends[0], body, False)
     prove_plane(direction([str(x) for x in along]), *reversed(ends[0]))
-    need_form(len(answer["before"]) == (2 if first else 0), "there are not two points")
+    need_form(len(answer["before"]) == 2, "there are not two points")
     for s, row in zip((first, last), answer["before"]):
         prove_just_before(row, placed_at(answer, bodies, [s * x for x in along]), along)
 

@@ -20,7 +20,7 @@ namespace tetracone::tetratree {
 /// where all are outside. True where it holds.
 inline bool leads_free(std::string& text, const Placed_pair::Poses& start, const Placed_pair& pair, int inside)
 {
-  constexpr double shortest = 0x1p-8;  // of intervals: a way that needs shorter ones is given up
+  constexpr double shortest = 0x1p-16;  // of intervals: a way that needs shorter ones is given up
   Moving_pair moving(pair.groups(), {kernel::Body_motion::linear(start[0], pair.pose[0]),
                                      kernel::Body_motion::linear(start[1], pair.pose[1])});
   Motion_cover cover(moving, 1, true, shortest);

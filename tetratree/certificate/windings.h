@@ -4,7 +4,6 @@
 #include "tetracone/tetratree/certificate/placed_pair.h"
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,21 +17,20 @@ inline std::optional<int> add_winding(std::string& text, Covered_body& body, con
                                       Random_integers& random)
 {
   // The first ray leads away from the body's middle, which few faces of it meet if the point is outside.
-  kernel::Exact_vector sum = {0, 0, 0};
+  kernel::Hull_points point;
+  point.exact = {x};
+  kernel::round_together(point, body.points);
   const auto& corners = body.groups->group({}).corners;
-  for (const std::uint32_t v : corners) sum = kernel::detail::sum(sum, body.points.exact[v]);
-  const kernel::Exact_number count(static_cast<double>(corners.size()));
-  kernel::Exact_vector way = kernel::difference(kernel::detail::scaled(x, count), sum);
+  kernel::Rounded_vector way = point.rounded[0];
+  for (const std::uint32_t v : corners)
+    for (int c = 0; c < 3; ++c) way[c] -= body.points.rounded[v][c] / double(corners.size());
   constexpr int most_rays = 60;
   for (int k = 0; k < most_rays; ++k) {
-    kernel::Hull_points rounded, none;
-    rounded.exact = {way};
-    kernel::round_together(rounded, none);
     // Few bits first, since short numbers are cheap to check.
     const int bits = 6 + k / 4;
     kernel::Exact_vector direction = {1, 1, 1};
-    if (k == 0 && rounded.rounded[0] != kernel::Rounded_vector{})
-      direction = kernel::rounded_to_bits(rounded.rounded[0], bits);
+    if (k == 0 && way != kernel::Rounded_vector{})
+      direction = kernel::rounded_to_bits(way, bits);
     else if (k > 0)
       for (kernel::Exact_number& c : direction) c = kernel::Exact_number(random(bits));
     if (direction == kernel::Exact_vector{0, 0, 0}) continue;

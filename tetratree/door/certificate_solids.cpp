@@ -109,6 +109,10 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   kernel::require_sound_floating_point();
   Placed_pair first(data_->groups(), shifted(exit[0]));
   if (!add_interiors_apart(text, first)) return data_->leave_out();
+  if (exit[0] == 0) {
+    data_->keep(std::move(text));
+    return true;
+  }
 
   // Beyond `until`, a plane across the direction is between the bodies.
   const Placed_pair last = first.at(shifted(exit[1]));
@@ -123,9 +127,8 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   text += "}";
   add_key(text, "before");
   text += '[';
-  if (exit[0] > 0)
-    for (const Placed_pair* pair : {&std::as_const(first), &last})
-      if (!add_just_before(text, *pair, along)) return data_->leave_out();
+  for (const Placed_pair* pair : {&std::as_const(first), &last})
+    if (!add_just_before(text, *pair, along)) return data_->leave_out();
   text += ']';
   data_->keep(std::move(text));
   return true;

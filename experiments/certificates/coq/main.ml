@@ -762,25 +762,27 @@ let prove_relation answer bodies =
   | _ -> bad "there is no such answer"
 
 let prove_exit answer bodies =
-  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"; "gone"; "before"] ["plane"; "way"];
+  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"] ["plane"; "way"; "gone"; "before"];
   need_solids bodies;
   let along = vector ~number:given (get answer "direction") in
   let first, last = match vector ~size:2 (get answer "answer") with [f; l] -> (f, l) | _ -> assert false in
   need_form (List.exists (fun x -> Q.sign x <> 0) along && Q.sign first >= 0 && Q.leq first last) "the exits are not in order, or the direction is 0";
   let at s = poses_of answer (List.map (Q.mul s) along) in
   need_parted answer bodies (at first);
-  let gone = get answer "gone" in
-  keys gone ["until"; "directions"; "cover"; "windings"] [];
-  let until = exact (get gone "until") in
-  need (Q.sign until > 0) "the bodies do not part for ever";
-  let far = at (Q.add last until) in
-  let places = places_at bodies far in
-  need_moving gone Q.one true (List.map2 line far (at last)) bodies;
-  need_all_shells gone places None;
-  need_plane (whole along) places 1;
-  let before = rows (get answer "before") in
-  need_form (List.length before = if Q.sign first > 0 then 2 else 0) "there are not two points";
-  List.iteri (fun k row -> need_just_before row (places_at bodies (at (if k = 0 then first else last))) along) before
+  if Q.sign first = 0 then need (Q.sign last = 0) "solids that overlap nowhere have no exit but 0" else begin
+    let gone = get answer "gone" in
+    keys gone ["until"; "directions"; "cover"; "windings"] [];
+    let until = exact (get gone "until") in
+    need (Q.sign until > 0) "the bodies do not part for ever";
+    let far = at (Q.add last until) in
+    let places = places_at bodies far in
+    need_moving gone Q.one true (List.map2 line far (at last)) bodies;
+    need_all_shells gone places None;
+    need_plane (whole along) places 1;
+    let before = rows (get answer "before") in
+    need_form (List.length before = 2) "there are not two points";
+    List.iteri (fun k row -> need_just_before row (places_at bodies (at (if k = 0 then first else last))) along) before
+  end
 
 let prove_depth answer bodies =
   keys answer ["ask"; "pose_a"; "pose_b"; "answer"; "vector"] ["plane"; "way"];

@@ -98,6 +98,7 @@ PAIRS = {"certificate": "tetracone 1", "bodies": [CUBE, CUBE], "answers": [
     of_pair("relation", "covers", at("0", scale="1/2"), **CORNER),
     of_pair("relation", "equal", at("0")),
     {"ask": "exit", "pose_a": at("0"), "pose_b": at("0"), "direction": axis(0), "answer": ["1", "1"], "plane": axis(0, -1), "gone": GONE, "before": [BEFORE] * 2},
+    {"ask": "exit", "pose_a": at("0"), "pose_b": at("1"), "direction": axis(0), "answer": ["0", "0"], "plane": axis(0)},
     {"ask": "depth", "pose_a": at("0"), "pose_b": at("0"), "answer": "1", "vector": axis(0), "plane": axis(0, -1)},
     {"ask": "motion", "question": "solid", **MOVE, "from_b": at("5"), "to_b": at("3/2"), "answer": None, **APART},
     {"ask": "motion", "question": "surface", **MOVE, "from_b": at("3", "-3"), "to_b": at("0", "-1.5"), "answer": None,
