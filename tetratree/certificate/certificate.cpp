@@ -1,8 +1,8 @@
 #include "tetracone/tetratree/door/certificate.h"
 
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/certificate/certificate_data.h"
 #include "tetracone/tetratree/certificate/windings.h"
-#include "tetracone/tetratree/door/certificate_data.h"
 #include "tetracone/tetratree/door/query_data.h"
 #include "tetracone/tetratree/memory/pair_memory.h"
 

@@ -1,5 +1,5 @@
-#ifndef TETRACONE_TETRATREE_DOOR_CERTIFICATE_DATA_H
-#define TETRACONE_TETRATREE_DOOR_CERTIFICATE_DATA_H
+#ifndef TETRACONE_TETRATREE_CERTIFICATE_CERTIFICATE_DATA_H
+#define TETRACONE_TETRATREE_CERTIFICATE_CERTIFICATE_DATA_H
 
 #include "tetracone/tetratree/certificate/placed_pair.h"
 #include "tetracone/tetratree/door/body_data.h"

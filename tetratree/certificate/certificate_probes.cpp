@@ -1,7 +1,7 @@
 #include "tetracone/covering/model.h"
 #include "tetracone/kernel/predicate/ray_face.h"
+#include "tetracone/tetratree/certificate/certificate_data.h"
 #include "tetracone/tetratree/certificate/windings.h"
-#include "tetracone/tetratree/door/certificate_data.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "tetracone/tetratree/certificate/approach.h"
+#include "tetracone/tetratree/certificate/certificate_data.h"
 #include "tetracone/tetratree/certificate/sides.h"
-#include "tetracone/tetratree/door/certificate_data.h"
 
 #include <algorithm>
 
