@@ -96,15 +96,20 @@ class Body:
         self.shell = {v: root(v) for v in name}
 
 
+def given_pose(texts):
+    pose = vector(texts, given, 12)
+    need_form(dot(cross(pose[0:3], pose[4:7]), pose[8:11]) != 0, "a pose is flat")
+    return pose
+
+
 class Placed:
     """The corners of a placed body times `scale`, and the extent of its groups along directions."""
 
     def __init__(self, body, pose=None):
-        self.body, self.at, self.scale, self.known = body, body.at, body.scale, {}
+        self.body, self.pose, self.at, self.scale, self.known = body, pose, body.at, body.scale, {}
         if pose:
             factor = lcm(*(x.denominator for x in pose))
             rows = [times(pose[k:k + 3], factor) for k in (0, 4, 8)]
-            need_form(dot(cross(rows[0], rows[1]), rows[2]) != 0, "a pose is flat")
             shift = times(pose[3::4], factor * body.scale)
             self.at = [tuple(dot(rows[i], v) + shift[i] for i in range(3)) for v in body.at]
             self.scale = factor * body.scale

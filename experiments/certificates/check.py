@@ -16,8 +16,9 @@ import sys
 from fractions import Fraction
 from math import lcm
 
-from bodies import Body, Placed, on_one_scale, shapes
+from bodies import Body, Placed, given_pose, on_one_scale, shapes
 from geometry import cross, crossing, dot, minus, times
+from motions import line, motion_of, over, pose_at, together
 from reading import Bad, Object, Refused, exact, given, index, need, need_form, need_given, need_keys, read_bytes, vector
 
 
@@ -106,21 +107,32 @@ def prove_free(entry, body, o, d, t, may_touch):
     prove_cover(entry, None, body.body.root, apart, touched=touched)
 
 
-def prove_moving(entry, start, end, last, is_open):
-    """Bodies whose corners move on lines share no point from time 0 to the last; at the last itself they may where that is open."""
-    on_one_scale(*start, *end)
+def prove_moving(entry, bodies, motions, last, is_open):
+    """Moving bodies share no point from time 0 to the last; at the last itself they may where that is open.
 
-    def products(m, k, group, time):
-        """m . x over the corners at that time, times its denominator."""
-        n, d = time.numerator, time.denominator
-        return [(d - n) * dot(m, start[k].at[v]) + n * dot(m, end[k].at[v]) for v in group.corners]
+    What a direction says of two corners is a form in the time within an interval. It is positive where its coefficients are."""
+    entries, known = together(motions), {}
+
+    def maps(span):
+        """For each coefficient the maps of both bodies, as columns, in integers of one scale."""
+        if span not in known:
+            parts = [[over(f, *span) for f in of_body] for of_body in entries]
+            scale = lcm(*(body.scale for body in bodies)) * lcm(*(x.denominator for forms in parts for f in forms for x in f))
+            known[span] = [[[times([f[k] for f in forms[i::4]], Fraction(scale, 1 if i == 3 else body.scale)) for i in range(4)]
+                            for body, forms in zip(bodies, parts)] for k in range(len(parts[0][0]))]
+        return known[span]
+
+    def products(m, columns, body, group):
+        row = [dot(m, column) for column in columns]
+        return [dot(row, body.at[v]) + row[3] for v in group.corners]
 
     def apart(m, of_a, of_b, span):
-        for time in span:
-            gap = min(products(m, 1, of_b, time)) - max(products(m, 0, of_a, time))
-            need(gap > 0 or gap == 0 and is_open and time == last, "two groups are not apart all the time")
+        for k, (a, b) in enumerate(steps := maps(span)):
+            gap = min(products(m, b, bodies[1], of_b)) - max(products(m, a, bodies[0], of_a))
+            is_end = k + 1 == len(steps) and span[1] == last
+            need(gap > 0 or gap == 0 and is_open and is_end, "two groups are not apart all the time")
 
-    prove_cover(entry, start[0].body.root, start[1].body.root, apart, span=(Fraction(0), last))
+    prove_cover(entry, bodies[0].root, bodies[1].root, apart, span=(Fraction(0), last))
 
 
 def prove_windings(entry, placed):
@@ -165,13 +177,13 @@ def prove_witness(entry, placed):
 # Answers
 
 
-def pair(answer, bodies, names=("pose_a", "pose_b")):
+def pair(answer, bodies, poses=None):
     """The placed bodies, and whether the question is about solids."""
     need_form(len(bodies) == 2, "there are not two bodies")
     question = answer["question"] if answer["ask"] not in ("relation", "exit", "depth") else "solid"
     need_form(question in ("solid", "surface"), "there is no such question")
     need(question == "surface" or all(body.is_closed for body in bodies), "a body is not closed, and has no solid")
-    placed = [Placed(body, vector(answer[name], given, 12)) for body, name in zip(bodies, names)]
+    placed = [Placed(*of) for of in zip(bodies, poses or map(given_pose, (answer["pose_a"], answer["pose_b"])))]
     on_one_scale(*placed)
     return placed, question == "solid"
 
@@ -265,10 +277,15 @@ def points_in(found):
 
 def placed_at(answer, bodies, shift=None):
     """Both bodies at their poses, A moved by a vector."""
-    poses = [vector(answer[name], given, 12) for name in ("pose_a", "pose_b")]
+    poses = [given_pose(answer[name]) for name in ("pose_a", "pose_b")]
     if shift:
         poses[0] = [x + shift[k // 4] if k % 4 == 3 else x for k, x in enumerate(poses[0])]
     return [Placed(body, pose) for body, pose in zip(bodies, poses)]
+
+
+def prove_lines(entry, start, end):
+    """Bodies whose corners move on lines share no point before the end."""
+    prove_moving(entry, [p.body for p in start], [line(p.pose, q.pose) for p, q in zip(start, end)], Fraction(1), True)
 
 
 def prove_way(row, placed, inside=None):
@@ -276,20 +293,24 @@ def prove_way(row, placed, inside=None):
     need_keys(row, "of pose directions cover windings")
     need_form(row["of"] in ("a", "b"), "there is no such body")
     k, start = "ab".index(row["of"]), list(placed)
-    start[k] = Placed(placed[k].body, vector(row["pose"], given, 12))
-    prove_moving(row, start, placed, Fraction(1), True)
+    start[k] = Placed(placed[k].body, given_pose(row["pose"]))
+    prove_lines(row, start, placed)
     found = prove_windings(row, start)
     for body in range(2):
         need_each_shell(found, start, body, inside == body)
     return row["of"]
 
 
+def prove_plane(m, a, b):
+    """No point of a is beyond a point of b along m."""
+    on_one_scale(a, b)
+    need(a.extent(a.body.root, m)[1] <= b.extent(b.body.root, m)[0], "the plane does not separate")
+
+
 def prove_parted(answer, placed):
     """The interiors share no point."""
     if "plane" in answer:
-        on_one_scale(*placed)
-        m, (a, b) = direction(answer["plane"]), placed
-        need(a.extent(a.body.root, m)[1] <= b.extent(b.body.root, m)[0], "the plane does not separate")
+        prove_plane(direction(answer["plane"]), *placed)
     else:
         prove_way(answer["way"], placed)
 
@@ -336,6 +357,7 @@ def prove_relation(answer, bodies):
         for inside, row in enumerate(answer["ways"]):
             prove_way(row, placed, inside)
     elif said == "equal":
+        on_one_scale(*placed)
         need(shapes(placed[0]) == shapes(placed[1]), "the faces are not the same")
     elif said == "meet":
         need(prove_witness(answer["witness"], placed) == 0, "the points are not one")
@@ -354,18 +376,19 @@ def prove_exit(answer, bodies):
     first, last = vector(answer["answer"], exact, 2)
     need_form(any(along) and 0 <= first <= last, "the exits are not in order, or the direction is 0")
     prove_parted(answer, placed_at(answer, bodies, [first * x for x in along]))
+    if first == 0:
+        return need(last == 0, "solids that overlap nowhere have no exit but 0")
     gone = answer["gone"]
     need_keys(gone, "until directions cover windings")
     until = exact(gone["until"])
     need(until > 0, "the bodies do not part for ever")
     ends = [placed_at(answer, bodies, [s * x for x in along]) for s in (last + until, last)]
-    prove_moving(gone, *ends, Fraction(1), True)
+    prove_lines(gone, *ends)
     found = prove_windings(gone, ends[0])
     for body in range(2):
         need_each_shell(found, ends[0], body, False)
-    m, (a, b) = direction([str(x) for x in along]), ends[0]
-    need(b.extent(b.body.root, m)[1] <= a.extent(a.body.root, m)[0], "the bodies do not part for ever")
-    need_form(len(answer["before"]) == (2 if first else 0), "there are not two points")
+    prove_plane(direction([str(x) for x in along]), *reversed(ends[0]))
+    need_form(len(answer["before"]) == 2, "there are not two points")
     for s, row in zip((first, last), answer["before"]):
         prove_just_before(row, placed_at(answer, bodies, [s * x for x in along]), along)
 
@@ -378,23 +401,21 @@ def prove_depth(answer, bodies):
 
 
 def prove_motion(answer, bodies):
-    start, solid = pair(answer, bodies, ("from_a", "from_b"))
-    poses = [vector(answer[name], given, 12) for name in ("from_a", "to_a", "from_b", "to_b")]
-    end = [Placed(body, pose) for body, pose in zip(bodies, poses[1::2])]
+    motions = [motion_of(answer["from_" + name], answer["to_" + name]) for name in "ab"]
+    start, solid = pair(answer, bodies, [pose_at(motion, Fraction(0)) for motion in motions])
     lo, hi = (Fraction(1), None) if answer["answer"] is None else vector(answer["answer"], given, 2)
     need_form(0 <= lo <= 1 and (hi is None or lo <= hi <= 1), "the times are not in order")
     if "witness" in answer:
         time = exact(answer["witness"]["time"])
         need(hi is not None and lo <= time <= hi, "the witness is not of its time")
-        between = [[(1 - time) * x + time * y for x, y in zip(*ends)] for ends in (poses[:2], poses[2:])]
-        need(prove_witness(answer["witness"], [Placed(body, pose) for body, pose in zip(bodies, between)]) == 0, "the points are not one")
+        placed = [Placed(body, pose_at(motion, time)) for body, motion in zip(bodies, motions)]
+        need(prove_witness(answer["witness"], placed) == 0, "the points are not one")
     elif hi is not None:
         need(solid and hi == 0, "there is no witness")
         need_vertex_inside(prove_windings(answer, start))
     if hi == 0:
         return
-
-    prove_moving(answer, start, end, lo, lo == hi)
+    prove_moving(answer, bodies, motions, lo, lo == hi)
     found = prove_windings(answer, start)
     for k in range(2) if solid else ():
         need_each_shell(found, start, k, False)

@@ -87,6 +87,7 @@ class Body_motion {
     }
     Body_motion motion;
     motion.rigid_ = std::move(forms);
+    motion.rigid_ends_ = {from, to};
     return motion;
   }
 
@@ -114,6 +115,9 @@ class Body_motion {
   /// Returns the poses at both ends of a linear motion; nothing for a rigid one.
   const std::optional<std::array<Pose, 2>>& ends() const { return ends_; }
 
+  /// Returns what a rigid motion is between. Requires `is_rigid()`.
+  const std::array<Rigid_pose, 2>& rigid_ends() const { return rigid_ends_; }
+
   /// True when M(t) / w(t) is a rotation all the time.
   bool is_rigid() const { return rigid_.has_value(); }
 
@@ -139,6 +143,7 @@ class Body_motion {
 
   std::optional<std::array<Pose, 2>> ends_;  // of a linear motion; else `rigid_`
   std::optional<Forms> rigid_;
+  std::array<Rigid_pose, 2> rigid_ends_;
 };
 
 /// Two moving bodies in common coordinates. Points are forms of one degree over one divisor, the product of both

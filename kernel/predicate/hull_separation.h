@@ -25,30 +25,36 @@ using Rounded_vector = std::array<double, 3>;
 struct Hull_points {
   std::vector<Exact_vector> exact;
   std::vector<Rounded_vector> rounded;
+  std::optional<Exact_number> factor = {};  ///< of the rounded points
+  double largest = 0;                       ///< absolute value of a rounded coordinate
+
+  /// Rounds all points, multiplied by a factor, unless that is done.
+  void round(const Exact_number& by)
+  {
+    if (factor && *factor == by && rounded.size() == exact.size()) return;
+    rounded.resize(exact.size());
+    largest = 0;
+    for (std::size_t v = 0; v < exact.size(); ++v)
+      for (int k = 0; k < 3; ++k) {
+        rounded[v][k] = Exact_number(exact[v][k] * by).to_double();
+        largest = maximum(largest, std::abs(rounded[v][k]));
+      }
+    factor = by;
+  }
 };
 
 /// Rounds the points of two hulls, multiplied by one power of 2 for which products of a few coordinates are finite.
 /// Returns that power.
 inline Exact_number round_together(Hull_points& a, Hull_points& b)
 {
-  Exact_number factor = 1;
-  const auto largest_of_all = [&] {
-    double largest = 0;
-    for (Hull_points* hull : {&a, &b}) {
-      hull->rounded.resize(hull->exact.size());
-      for (std::size_t v = 0; v < hull->exact.size(); ++v)
-        for (int k = 0; k < 3; ++k) {
-          hull->rounded[v][k] = Exact_number(hull->exact[v][k] * factor).to_double();
-          largest = maximum(largest, std::abs(hull->rounded[v][k]));
-        }
-    }
-    return largest;
-  };
+  Exact_number factor = b.factor.value_or(Exact_number(1));
   // Products of three numbers of this range neither overflow nor vanish. The coordinates of placed doubles need few
   // steps; where all points are 0, no step helps.
   constexpr double least = 0x1p-200, most = 0x1p200, step = 0x1p300;
   for (int k = 0; k < 40; ++k) {
-    const double size = largest_of_all();
+    a.round(factor);
+    b.round(factor);
+    const double size = maximum(a.largest, b.largest);
     if (size >= least && size <= most) break;
     factor = factor * Exact_number(size > most ? 1 / step : step);
   }

@@ -164,7 +164,7 @@ struct Covered_body {
   Group_tree* groups;
   kernel::Hull_points points;
 
-  kernel::Hull hull(Box_id box) { return {&points, groups->group(box).corners}; }
+  kernel::Hull hull(Box_id box) const { return {&points, groups->group(box).corners}; }
 
   /// Returns the face of a piece: a triangle, a face on a line, or a face that was not triangulated, with its loops.
   kernel::Exact_face face(Box_id piece)

@@ -66,6 +66,9 @@ class Group_tree {
 
   bool is_piece(Box_id box) const { return tree_->is_leaf(box); }
   const Element& piece_of(Box_id leaf) const { return tree_->element(leaf); }
+  /// Returns the source face of a face of the tree.
+  Index source_face(Index face) const { return source_face_[face]; }
+  Index source_face(Box_id leaf) const { return source_face_[piece_of(leaf).face]; }
 
   /// Returns the members of a group that is not a piece.
   std::vector<Box_id> members(Box_id box) const

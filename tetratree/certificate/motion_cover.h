@@ -2,28 +2,23 @@
 #define TETRACONE_TETRATREE_CERTIFICATE_MOTION_COVER_H
 
 #include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/certificate/cover.h"
+#include "tetracone/tetratree/certificate/moving_pair.h"
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
 
-/// Covers the pairs of pieces of two bodies that move on lines, over an interval of time. A direction that separates
-/// two groups at both ends of an interval separates them within it.
+/// Covers the pairs of pieces of two bodies that move, over an interval of time.
 class Motion_cover {
  public:
-  /// Returns both bodies at a time; the result lives as long as the cover. Each time may have a scale of its own.
-  using Bodies_at = std::function<std::array<Covered_body, 2>&(double time)>;
-
   /// `may_touch_at_end`: the bodies may share points at the end of the interval, not before. No interval of at most
   /// `shortest` is cut.
-  Motion_cover(Bodies_at bodies_at, double end, bool may_touch_at_end, double shortest = 0)
-      : bodies_at_(std::move(bodies_at)), end_(end), shortest_(shortest), may_touch_at_end_(may_touch_at_end)
+  Motion_cover(Moving_pair& moving, double end, bool may_touch_at_end, double shortest = 0)
+      : moving_(&moving), end_(end), shortest_(shortest), may_touch_at_end_(may_touch_at_end)
   {}
 
   /// True when all pairs are covered. False where pieces touch, or come so near that no direction was found: they may
@@ -33,30 +28,27 @@ class Motion_cover {
   Cover& cover() { return search_.cover(); }
 
  private:
-  bool holds(Box_id a, Box_id b, double time, const kernel::Exact_vector& m) const
-  {
-    auto& body = bodies_at_(time);
-    const auto gap = extent_of(body[1].hull(b), m, -1) - extent_of(body[0].hull(a), m, 1);
-    return gap.sign() == CGAL::POSITIVE || (may_touch_at_end_ && time == end_ && gap.sign() == CGAL::ZERO);
-  }
-
-  kernel::Hull_pair pair(Box_id a, Box_id b, double time) const
-  {
-    auto& body = bodies_at_(time);
-    return {body[0].hull(a), body[1].hull(b)};
-  }
-
   bool covers(Box_id a, Box_id b, double from, double to)
   {
-    const std::array<kernel::Hull_pair, 2> pairs = {pair(a, b, from), pair(a, b, to)};
-    const auto both = [&](const kernel::Exact_vector& m) { return holds(a, b, from, m) && holds(a, b, to, m); };
-    if (search_.separates(pairs, 0, {}, both)) return true;
-    Group_tree *of_a = bodies_at_(0)[0].groups, *of_b = bodies_at_(0)[1].groups;
+    const std::vector<Placed_pair*> placed = moving_->over(from, to);
+    std::vector<kernel::Hull_pair> pairs;
+    for (Placed_pair* pair : placed) pairs.push_back({pair->body[0].hull(a), pair->body[1].hull(b)});
+    const bool may_touch = may_touch_at_end_ && to == end_;
+    const auto holds = [&](const kernel::Exact_vector& m) {
+      for (const kernel::Hull_pair& pair : pairs) {
+        const CGAL::Sign gap = kernel::Exact_number(extent_of(pair.b, m, -1) - extent_of(pair.a, m, 1)).sign();
+        const bool is_last = &pair == &pairs.back();
+        if (gap != CGAL::POSITIVE && !(may_touch && is_last && gap == CGAL::ZERO)) return false;
+      }
+      return true;
+    };
+    if (search_.separates(pairs, 0, {}, holds)) return true;
+    const auto [of_a, of_b] = moving_->groups();
     const bool is_piece[2] = {of_a->is_piece(a), of_b->is_piece(b)};
     if (is_piece[0] && is_piece[1]) {
-      for (const double time : {from, to})
-        for (kernel::Exact_vector& m : candidates(a, b, time))
-          if (both(m)) {
+      for (Placed_pair* end : {placed.front(), placed.back()})
+        for (kernel::Exact_vector& m : candidates(*end, {a, b}))
+          if (holds(m)) {
             search_.append(search_.add(std::move(m)));
             return true;
           }
@@ -89,10 +81,9 @@ class Motion_cover {
 
   /// Returns directions that may separate two pieces at a time: that of their nearest points, and the normals that part
   /// triangles which touch.
-  std::vector<kernel::Exact_vector> candidates(Box_id a, Box_id b, double time) const
+  static std::vector<kernel::Exact_vector> candidates(Placed_pair& pair, const std::array<Box_id, 2>& piece)
   {
-    auto& body = bodies_at_(time);
-    const std::array<kernel::Exact_face, 2> face = {body[0].face(a), body[1].face(b)};
+    const std::array<kernel::Exact_face, 2> face = pair.faces(piece);
     std::vector<kernel::Exact_vector> candidates;
     const auto add = [&](const kernel::Exact_vector& m) {
       candidates.push_back(m);
@@ -111,7 +102,7 @@ class Motion_cover {
     return candidates;
   }
 
-  Bodies_at bodies_at_;
+  Moving_pair* moving_;
   double end_, shortest_;
   bool may_touch_at_end_;
   Cover_search search_;

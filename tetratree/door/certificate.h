@@ -88,8 +88,7 @@ class Certificate {
   /// Adds the translation of `Query::depth`, an upper bound; the lower bound has no proof. True where it is proved, by
   /// what proves `meet` in `relation`. Else nothing is added.
   bool depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer);
-  /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added: the motion is rigid, or
-  /// the bodies only graze.
+  /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added: the bodies only graze.
   bool first_contact(const Motion& a, const Motion& b, Question question, const std::optional<First_contact>& answer);
   /// Adds where a point of decimals or fractions is, as `Body::inside_text` answers.
   void inside(const std::array<std::string, 3>& point, Location answer);

@@ -13,7 +13,7 @@ ocamlfind query zarith > /dev/null 2>&1 || { echo "skipped: no zarith; expected 
 mkdir -p "$folder"
 cp "$here"/*.v "$here"/*.ml "$folder"
 cd "$folder"
-for file in Space Exact Faces Cuts Covers Claims Placed Rays Motions Signs Unique; do
+for file in Space Exact Faces Cuts Covers Claims Placed Rays Forms Motions Signs Unique; do
   coqc -q -Q . Certificates $file.v
 done
 coqc -q -Q . Certificates Assumptions.v > assumptions

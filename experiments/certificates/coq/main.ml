@@ -613,13 +613,45 @@ let prove_ray answer bodies =
       let first = Option.map (fun (f, _) -> Z.of_int body.first_piece.(f)) hit in
       need_free answer (at_place body identity) o d (match hit with Some (_, t) -> Some t | None -> last) first
 
-(* Both bodies move on lines, from and to the poses of [ends]: no common point from time 0 to the last; at the last itself only where it is not open. *)
-let need_moving entry (last : Q.t) is_open ends bodies =
-  let over_both (x, y) = let u = unit_of (x @ y) in (pose_over u x, pose_over u y) in
+(* Motions: what Core takes, and the pose at a time. *)
+let blend t = List.map2 (fun x y -> Q.add (Q.mul (Q.sub Q.one t) x) (Q.mul t y))
+
+let line x y = let u = unit_of (x @ y) in (Core.line (pose_over u x) (pose_over u y), fun t -> blend t x y)
+
+let turned_pose numbers =
+  match numbers with
+  | [w; x; y; z; sx; sy; sz] ->
+      let open Q in
+      let two = of_int 2 in
+      let ww = w * w and xx = x * x and yy = y * y and zz = z * z in
+      let n = ww + xx + yy + zz in
+      [(ww + xx - yy - zz) / n; two * (x * y - w * z) / n; two * (x * z + w * y) / n; sx;
+       two * (x * y + w * z) / n; (ww - xx + yy - zz) / n; two * (y * z - w * x) / n; sy;
+       two * (x * z - w * y) / n; two * (y * z + w * x) / n; (ww - xx - yy + zz) / n; sz]
+  | _ -> assert false
+
+(* The quaternion is 0 at no time, so that the divisor of Core's motion is positive. *)
+let rigid x y =
+  let turn = take 4 and shift = drop 4 in
+  let product p q = List.fold_left2 (fun sum a b -> Q.add sum (Q.mul a b)) Q.zero (turn p) (turn q) in
+  let first = product x x and last = product y y and both = product x y in
+  need_form (Q.sign first > 0 && Q.sign last > 0 && (Q.sign both > 0 || Q.lt (Q.mul both both) (Q.mul first last))) "a quaternion is 0 at some time";
+  let forms part = let u = unit_of (part x @ part y) in (u, List.map2 (fun a b -> [times u a; times u b]) (part x) (part y)) in
+  match forms turn, forms shift with
+  | (_, [w; a; b; c]), (u, [sx; sy; sz]) -> (Core.rigid w a b c sx sy sz u, fun t -> turned_pose (blend t x y))
+  | _ -> assert false
+
+(* From what is given at both ends: poses, or quaternions with translations. *)
+let motion_of start finish =
+  if List.length (rows start) = 7 then rigid (vector ~number:given ~size:7 start) (vector ~number:given ~size:7 finish)
+  else line (pose_numbers start) (pose_numbers finish)
+
+(* No common point of the moving bodies from time 0 to the last; at the last itself only where it is not open. *)
+let need_moving entry (last : Q.t) is_open motions bodies =
   let cover = cover_of (directions_of entry) (get entry "cover") in
-  match List.map over_both ends with
-  | [(a0, a1); (b0, b1)] ->
-      need (Core.check_motion { Core.qnum = last.num; qden = last.den } is_open a0 a1 bodies.(0).core b0 b1 bodies.(1).core cover)
+  match List.map fst motions with
+  | [a; b] ->
+      need (Core.check_motion { Core.qnum = last.num; qden = last.den } is_open a bodies.(0).core b bodies.(1).core cover)
         "two groups are not apart all the time"
   | _ -> assert false
 
@@ -640,7 +672,7 @@ let need_way row bodies poses inside =
   keys row ["of"; "pose"; "directions"; "cover"; "windings"] [];
   let mover = match get row "of" with String "a" -> 0 | String "b" -> 1 | _ -> bad "there is no such body" in
   let start = List.mapi (fun k p -> if k = mover then pose_numbers (get row "pose") else p) poses in
-  need_moving row Q.one true (List.combine start poses) bodies;
+  need_moving row Q.one true (List.map2 line start poses) bodies;
   need_all_shells row (places_at bodies start) inside
 
 let need_plane m places k =
@@ -730,25 +762,27 @@ let prove_relation answer bodies =
   | _ -> bad "there is no such answer"
 
 let prove_exit answer bodies =
-  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"; "gone"; "before"] ["plane"; "way"];
+  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"] ["plane"; "way"; "gone"; "before"];
   need_solids bodies;
   let along = vector ~number:given (get answer "direction") in
   let first, last = match vector ~size:2 (get answer "answer") with [f; l] -> (f, l) | _ -> assert false in
   need_form (List.exists (fun x -> Q.sign x <> 0) along && Q.sign first >= 0 && Q.leq first last) "the exits are not in order, or the direction is 0";
   let at s = poses_of answer (List.map (Q.mul s) along) in
   need_parted answer bodies (at first);
-  let gone = get answer "gone" in
-  keys gone ["until"; "directions"; "cover"; "windings"] [];
-  let until = exact (get gone "until") in
-  need (Q.sign until > 0) "the bodies do not part for ever";
-  let far = at (Q.add last until) in
-  let places = places_at bodies far in
-  need_moving gone Q.one true (List.combine far (at last)) bodies;
-  need_all_shells gone places None;
-  need_plane (whole along) places 1;
-  let before = rows (get answer "before") in
-  need_form (List.length before = if Q.sign first > 0 then 2 else 0) "there are not two points";
-  List.iteri (fun k row -> need_just_before row (places_at bodies (at (if k = 0 then first else last))) along) before
+  if Q.sign first = 0 then need (Q.sign last = 0) "solids that overlap nowhere have no exit but 0" else begin
+    let gone = get answer "gone" in
+    keys gone ["until"; "directions"; "cover"; "windings"] [];
+    let until = exact (get gone "until") in
+    need (Q.sign until > 0) "the bodies do not part for ever";
+    let far = at (Q.add last until) in
+    let places = places_at bodies far in
+    need_moving gone Q.one true (List.map2 line far (at last)) bodies;
+    need_all_shells gone places None;
+    need_plane (whole along) places 1;
+    let before = rows (get answer "before") in
+    need_form (List.length before = 2) "there are not two points";
+    List.iteri (fun k row -> need_just_before row (places_at bodies (at (if k = 0 then first else last))) along) before
+  end
 
 let prove_depth answer bodies =
   keys answer ["ask"; "pose_a"; "pose_b"; "answer"; "vector"] ["plane"; "way"];
@@ -760,11 +794,9 @@ let prove_depth answer bodies =
 let prove_motion answer bodies =
   keys answer ["ask"; "question"; "from_a"; "to_a"; "from_b"; "to_b"; "answer"] ("witness" :: "windings" :: cover_keys);
   let solid = need_pair answer bodies in
-  let start = places_of answer bodies ["from_a"; "from_b"] in
-  let numbers = List.map (fun name -> pose_numbers (get answer name)) ["from_a"; "to_a"; "from_b"; "to_b"] in
-  let ends = match numbers with
-    | [a0; a1; b0; b1] -> [(a0, a1); (b0, b1)]
-    | _ -> assert false in
+  let motions = List.map (fun name -> motion_of (get answer ("from_" ^ name)) (get answer ("to_" ^ name))) ["a"; "b"] in
+  let places_when t = places_at bodies (List.map (fun (_, at) -> at t) motions) in
+  let start = places_when Q.zero in
   let lo, hi = match get answer "answer" with
     | Null -> (Q.one, None)
     | times -> (match vector ~number:given ~size:2 times with [lo; hi] -> (lo, Some hi) | _ -> assert false) in
@@ -774,20 +806,19 @@ let prove_motion answer bodies =
    | Some hi when has answer "witness" ->
        let time = exact (get (get answer "witness") "time") in
        need (Q.leq lo time && Q.leq time hi) "the witness is not of its time";
-       let at_time (x, y) = pose (List.map2 (fun x y -> Q.add (Q.mul (Q.sub Q.one time) x) (Q.mul time y)) x y) in
-       let places = Array.of_list (List.mapi (fun k ends -> at_place bodies.(k) (at_time ends)) ends) in
+       let places = places_when time in
        need (Q.equal (witness (get answer "witness") places ["time"]) Q.zero) "the points are not one"
    | Some hi ->
        need (solid && Q.sign hi = 0) "there is no witness";
        need (some_vertex_inside (windings answer start)) "no vertex is inside of the other solid");
   if hi <> Some Q.zero then begin
-    need_moving answer lo (match hi with Some hi -> Q.equal lo hi | None -> false) ends bodies;
+    need_moving answer lo (match hi with Some hi -> Q.equal lo hi | None -> false) motions bodies;
     if solid then need_all_shells answer start None
   end
 
 (* The answers are about the numbers of the file, in order; one line serves all. *)
 let need_given answers key path =
-  let size = match key with "point" -> 3 | "ray" -> 6 | _ -> 12 in
+  let size = if key = "ray" then 6 else List.length (rows (get (List.hd answers) key)) in
   let numbers = List.map given_word (List.concat (lines_of (read_bytes path))) in
   let count = List.length numbers in
   need_form (count = size || count = size * List.length answers) (Printf.sprintf "%s has not %d numbers for each answer" path size);

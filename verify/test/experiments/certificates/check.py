@@ -80,6 +80,12 @@ class Certificates(unittest.TestCase):
             same = cls.folder / "same"
             same.write_text(PLACE.format(0, 0, 0))
             yield (*cls.asked("motion", *files, "--pose-a0", same, "--pose-a1", same, "--pose-b0", poses, "--pose-b1", ends), files, "to_b", None)
+        turns = [cls.folder / "turn", cls.folder / "turned"]
+        turns[0].write_text("1 0 0 0 5 0 0.125\n1 0 0 0 3.5 1 0\n1 1 0 0 -4 1 9\n2 0 0 1 1.25 1.25 0.125\n1 0 0 0 9 0 0\n1/3 1 0 0 0 0 5\n1 0 0 0 0 0 -3\n1 0 0 0 4 1.5 0.25\n")
+        turns[1].write_text("1 0 1 0 1 1 0.125\n1 0 0 1 -9 0 1\n1 -1 1/7 0 -9 1 9\n1 0 0 0 5 5 5\n0 0 0 1 9 0 0\n1 0 0 0 0.5 0.5 1e-30\n2 0 0 0 0.25 0.25 3\n-1 0 0 3 -4 1.5 0.25\n")
+        for a, b in (("frame.poly", "cube.off"), ("cube.off", "bent.obj")):
+            files = [bodies[a], bodies[b]]
+            yield (*cls.asked("motion", *files, "--motion", "rigid", "--pose-b0", turns[0], "--pose-b1", turns[1]), files, "from_b", turns[0])
         held = cls.folder / "held"  # places and sizes of B about the unit cube, one of each relation and more
         held.write_text("".join("{0} 0 0 {1} 0 {0} 0 {2} 0 0 {0} {3}\n".format(*words.split()) for words in (
             "1 0 0 0", "0.5 0 0 0.5", "0.5 0.25 1/3 0", "2 0 -0.5 -1", "2 -0.5 -0.5 0", "1 1 0.25 0", "1 0.5 0.25 1/3", "0.5 0.25 0.25 0.25", "3 -1 -1 -1", "1 3 0 0")))
@@ -115,6 +121,15 @@ class Certificates(unittest.TestCase):
                         self.assertLessEqual(float(reading.exact(value)) ** 0.5, float(line.split()[1]) * (1 + 1e-15))
                     else:
                         self.assertEqual(value["face"] if value else "-", int(line.split()[0]) if line != "-" else "-")
+
+    def test_solids_of_other_sizes_are_not_equal(self):
+        """A point in one body, whatever its denominator, does not scale that body alone."""
+        body = {"vertices": [line.split() for line in CUBE.split("\n")[2:10]], "faces": [[[int(v) for v in line.split()[1:]]] for line in CUBE.split("\n")[10:16]]}
+        for size, holds in (("1/2", False), ("1", True)):
+            beside = {"in": "b", "point": ["-1/4"] * 3, "ray": ["-1"] * 3, "winding": 0, "directions": [["1"] * 3], "cover": 0}
+            poses = {f"pose_{k}": [s, "0", "0", "0", "0", s, "0", "0", "0", "0", s, "0"] for k, s in (("a", "1"), ("b", size))}
+            certificate = {"certificate": "tetracone 1", "bodies": [body] * 2, "answers": [{"ask": "relation", **poses, "answer": "equal", "windings": [beside]}]}
+            self.assertEqual(lies.believed(json.dumps(certificate)), holds)
 
     def test_all_relations_are_among_the_proved(self):
         said = {answer["answer"] for text, *_ in self.certificates for answer in json.loads(text)["answers"] if answer["ask"] == "relation"}

@@ -26,6 +26,10 @@ def at(x, y="0", z="0", scale="1"):
     return [scale, "0", "0", x, "0", scale, "0", y, "0", "0", scale, z]
 
 
+def turned(x, z="0", w="1"):
+    return [w, "0", "0", z, x, "0", "0"]
+
+
 def axis(k, sign=1):
     return [str(sign) if i == k else "0" for i in range(3)]
 
@@ -54,7 +58,6 @@ WITHIN = {"in": "a", "vertex": 0, "winding": 1, **cube_ray(True)}
 SHELL = {"directions": [axis(k, s) for k in range(3) for s in (1, -1)], "cover": ["a", 0, 1, 2, 3, 4, 5]}
 HELD = {**SHELL, "windings": [WITHIN, outside("b", 0, 0, -1)]}
 MOVE = {"from_a": at("0"), "to_a": at("0")}
-
 
 
 def side(holder, point, sign=0):
@@ -95,12 +98,16 @@ PAIRS = {"certificate": "tetracone 1", "bodies": [CUBE, CUBE], "answers": [
     of_pair("relation", "covers", at("0", scale="1/2"), **CORNER),
     of_pair("relation", "equal", at("0")),
     {"ask": "exit", "pose_a": at("0"), "pose_b": at("0"), "direction": axis(0), "answer": ["1", "1"], "plane": axis(0, -1), "gone": GONE, "before": [BEFORE] * 2},
+    {"ask": "exit", "pose_a": at("0"), "pose_b": at("1"), "direction": axis(0), "answer": ["0", "0"], "plane": axis(0)},
     {"ask": "depth", "pose_a": at("0"), "pose_b": at("0"), "answer": "1", "vector": axis(0), "plane": axis(0, -1)},
     {"ask": "motion", "question": "solid", **MOVE, "from_b": at("5"), "to_b": at("3/2"), "answer": None, **APART},
     {"ask": "motion", "question": "surface", **MOVE, "from_b": at("3", "-3"), "to_b": at("0", "-1.5"), "answer": None,
      "directions": [axis(0), axis(1, -1)], "cover": ["t", "1/2", 0, 1]},
     {"ask": "motion", "question": "solid", **MOVE, "from_b": at("5"), "to_b": at("-3"), "answer": ["0.5", "0.5"], **APART,
      "witness": {"time": "1/2", **TOUCH}},
+    {"ask": "motion", "question": "solid", **MOVE, "from_b": turned("5"), "to_b": turned("3", "1"), "answer": None, **APART},
+    {"ask": "motion", "question": "solid", "from_a": turned("0", "0", "3"), "to_a": turned("0"), "from_b": turned("5"), "to_b": turned("-3", "0", "2"),
+     "answer": ["0.5", "0.5"], **APART, "witness": {"time": "1/2", **TOUCH}},
 ]}
 CUBE_ALONE = {"certificate": "tetracone 1", "bodies": [CUBE], "answers": [
     {"ask": "inside", "point": ["0.5", "0.5", "0.5"], "answer": 1, "winding": 1, **cube_ray(True)},

@@ -20,6 +20,7 @@ using tetracone::Body;
 using tetracone::Certificate;
 using tetracone::Error;
 using tetracone::Location;
+using tetracone::Motion;
 using tetracone::Query;
 using tetracone::Question;
 using tetracone::Ray;
@@ -140,6 +141,38 @@ BOOST_AUTO_TEST_CASE(exits_and_depths_are_proved)
   }
   BOOST_TEST(certificate.without_proof() == 0);
   BOOST_TEST(is_proved(certificate));
+}
+
+BOOST_AUTO_TEST_CASE(rigid_motions_are_proved)
+{
+  using Ends = std::array<std::array<double, 7>, 2>;
+  const Body cube(scenes::unit_cube()), other(scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+  const auto motion = [](const Ends& ends) { return Motion::rigid(ends[0], ends[1]); };
+  const Motion still = motion({{{1, 0, 0, 0, 0, 0, 0}, {3, 0, 0, 0, 0, 0, 0}}}),
+               line = Motion::linear(tetracone::Pose::translation(-5, 0, 0), tetracone::Pose());
+  for (const Question question : {Question::solid, Question::surface}) {
+    Query query(cube, other, question);
+    Certificate certificate(query);
+    std::size_t contacts = 0, count = 0;
+    for (const Ends& ends :
+         {Ends{{{1, 0, 0, 0, 4, 0.5, 0.25}, {1, 1, 0.5, 0, -4, 0.25, 0.125}}},  // turns and comes
+          Ends{{{1, 0, 0, 0, 4, 0.5, 0.25}, {-1, 0, 0, 8, -4, 0.25, 0.125}}},   // by more than half a turn
+          Ends{{{1, 0, 0, 0, 2, 0.25, 0.25}, {1, 1, 0, 0, 1, 0.25, 0.25}}},     // contact at the end
+          Ends{{{1, 0, 0, 0, 2, 2, 0.25}, {0, 0, 0, 1, 2, 2, 0.25}}},           // half a turn beside the cube
+          Ends{{{2, 1, 0, 1, 7, 3, 0.1}, {1, -1, 3, 0.5, -4, 9, 1e-30}}},       // passes
+          Ends{{{1, 0, 0, 0, 0.25, 0.25, 0.25}, {1, 1, 0, 0, 3, 0, 0}}}}) {     // contact as it begins, or inside
+      for (const Motion& first : {still, line}) {
+        const Motion last = motion(ends);
+        const auto found = query.first_contact(first, last);
+        contacts += found.has_value();
+        BOOST_TEST(certificate.first_contact(first, last, question, found));
+        ++count;
+      }
+    }
+    BOOST_TEST(contacts > 4);
+    BOOST_TEST(contacts < count);
+    BOOST_TEST(is_proved(certificate));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(points_and_rays_are_proved)

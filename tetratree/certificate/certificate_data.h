@@ -1,0 +1,112 @@
+#ifndef TETRACONE_TETRATREE_CERTIFICATE_CERTIFICATE_DATA_H
+#define TETRACONE_TETRATREE_CERTIFICATE_CERTIFICATE_DATA_H
+
+#include "tetracone/tetratree/certificate/placed_pair.h"
+#include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/certificate.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tetracone {
+
+/// The bodies of a certificate, and its answers so far.
+struct Certificate::Data {
+  struct Part {
+    std::shared_ptr<const detail::Body_data> body;
+    std::optional<Certified_file> file;
+    std::vector<Index> source_face;
+    std::optional<tetratree::Group_tree> groups;
+
+    explicit Part(std::shared_ptr<const detail::Body_data> b)
+        : body(std::move(b)), source_face(body->polyhedron.face_count())
+    {
+      std::iota(source_face.begin(), source_face.end(), Index(0));
+    }
+
+    const covering::Polyhedron& polyhedron() const { return body->polyhedron; }
+
+    tetratree::Group_tree& tree()
+    {
+      if (!groups) groups.emplace(body->bvh8(), source_face);
+      return *groups;
+    }
+  };
+
+  std::vector<Part> parts;
+  std::vector<std::string> answers;
+  std::size_t without_proof = 0;
+
+  /// Returns the trees of both bodies.
+  std::array<tetratree::Group_tree*, 2> groups()
+  {
+    if (parts.size() != 2) tetratree::fail_proof("a question about two bodies; expected a certificate for two");
+    return {&parts[0].tree(), &parts[1].tree()};
+  }
+
+  tetratree::Placed_pair placed(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+  {
+    kernel::require_sound_floating_point();
+    return {groups(), {pose_a, pose_b}};
+  }
+
+  Part& only()
+  {
+    kernel::require_sound_floating_point();
+    if (parts.size() != 1) tetratree::fail_proof("a question about one body; expected a certificate for one");
+    return parts[0];
+  }
+
+  static std::string begin(std::string_view ask) { return "{\"ask\":" + tetratree::json_text(ask); }
+
+  static std::string begin(std::string_view ask, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                           std::optional<Question> question = {})
+  {
+    std::string text = begin(ask);
+    if (question) {
+      tetratree::add_key(text, "question");
+      text += tetratree::json_text(kernel::to_string(*question));
+    }
+    tetratree::add_pose(text, "pose_a", pose_a);
+    tetratree::add_pose(text, "pose_b", pose_b);
+    tetratree::add_key(text, "answer");
+    return text;
+  }
+
+  void keep(std::string answer) { answers.push_back(std::move(answer) + "}"); }
+
+  /// Counts an answer that has no proof.
+  bool leave_out()
+  {
+    ++without_proof;
+    return false;
+  }
+
+  /// Adds an answer. `leaves` are those at which the query found that the surfaces meet, if it says so.
+  void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer,
+               const std::optional<tetratree::Box_ids>& leaves);
+
+  /// Proves that the nearest points are where they are, or that one solid holds a part of the other.
+  void together(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Nearest& nearest);
+  /// Proves that the bodies are farther apart than the root of `square`, or as far.
+  void apart(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+             const kernel::Rational& square, bool or_equal, const Nearest& nearest);
+  /// Returns a face of the file that has the part which holds a nearest point.
+  Index face_of(std::size_t body, const Holder& holder) const;
+
+  /// True when both bodies have the same faces, by the places of their corners.
+  bool have_same_faces(const tetratree::Placed_pair& pair) const;
+
+  std::string text_of(const Part& part) const;
+};
+
+}  // namespace tetracone
+
+#endif

@@ -1,0 +1,197 @@
+#include "tetracone/tetratree/certificate/approach.h"
+#include "tetracone/tetratree/certificate/certificate_data.h"
+#include "tetracone/tetratree/certificate/sides.h"
+
+#include <algorithm>
+
+namespace tetracone {
+
+using kernel::Rational;
+using kernel::Rational_point;
+using tetratree::add_key;
+using tetratree::Placed_pair;
+
+bool Certificate::Data::have_same_faces(const Placed_pair& pair) const
+{
+  using Face = std::vector<std::vector<kernel::Exact_vector>>;
+  std::array<std::vector<Face>, 2> faces;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const covering::Polyhedron& polyhedron = parts[k].polyhedron();
+    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+      Face face(polyhedron.loop_count(f));
+      for (std::size_t l = 0; l < face.size(); ++l) {
+        for (const Index v : polyhedron.loop(f, l)) face[l].push_back(pair.body[k].points.exact[v]);
+        std::rotate(face[l].begin(), std::ranges::min_element(face[l]), face[l].end());
+      }
+      std::ranges::sort(face);
+      faces[k].push_back(std::move(face));
+    }
+    std::ranges::sort(faces[k]);
+  }
+  return faces[0] == faces[1];
+}
+
+bool Certificate::relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer)
+{
+  using enum Solid_relation;
+  std::string text = Data::begin("relation", pose_a, pose_b) + tetratree::json_text(kernel::to_string(answer));
+  Placed_pair pair = data_->placed(pose_a, pose_b);
+  std::string surfaces = text;
+  const auto met = cover_or_meet(surfaces, pair);
+  const bool is_without = answer == disjoint || answer == inside || answer == contains;
+  if (!met != is_without) tetratree::fail_proof("the answer is not proved: surfaces");
+  if (is_without) {
+    if (!add_all_windings(surfaces, pair, answer == inside, answer == contains))
+      tetratree::fail_proof("the answer is not proved: shells");
+    data_->keep(std::move(surfaces));
+    return true;
+  }
+  const auto is_proved = [&] {
+    switch (answer) {
+      case meet:
+        text = surfaces;
+        return add_parted(text, pair, met) && add_sides(text, pair, *met, {{true, false}, {false, true}});
+      case overlap: return add_sides(text, pair, *met, {{true, true}, {true, false}, {false, true}});
+      case equal:
+        if (data_->have_same_faces(pair)) return true;
+        add_key(text, "ways");
+        text += '[';
+        if (!add_way(text, pair, 0, *met)) return false;
+        text += ',';
+        if (!add_way(text, pair, 1, *met)) return false;
+        text += ']';
+        return true;
+      default: {
+        const int inner = answer == covered_by ? 0 : 1;
+        add_key(text, "way");
+        return add_way(text, pair, inner, *met) && add_border(text, pair, inner, *met) &&
+               add_sides(text, pair, *met, {{inner == 1, inner == 0}});
+      }
+    }
+  };
+  if (!is_proved()) return data_->leave_out();
+  data_->keep(std::move(text));
+  return true;
+}
+
+namespace {
+
+/// Returns the poses, that of A moved by a vector.
+Placed_pair::Poses moved(Placed_pair::Poses poses, const Rational_point& by)
+{
+  std::array<Rational, 12> entries;
+  for (std::size_t k = 0; k < 12; ++k) entries[k] = poses[0].exact(int(k)) + (k % 4 == 3 ? by[k / 4] : Rational(0));
+  poses[0] = kernel::Pose(entries);
+  return poses;
+}
+
+/// Appends why the interiors share no point.
+bool add_interiors_apart(std::string& text, Placed_pair& pair)
+{
+  std::string unused = "{";
+  return add_parted(text, pair, cover_or_meet(unused, pair));
+}
+
+}  // namespace
+
+bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                        const std::array<std::string, 3>& direction, const Exits& answer)
+{
+  const std::array<Rational, 2> exit = {Rational(answer.exact_first), Rational(answer.exact_last)};
+  std::string text = Data::begin("exit", pose_a, pose_b) + tetratree::strings_of(exit);
+  add_key(text, "direction");
+  tetratree::add_list(text, direction, [](const std::string& x) { return tetratree::json_text(x); });
+  Rational_point along;
+  for (std::size_t k = 0; k < 3; ++k) along[k] = kernel::parse_number(direction[k]).value();
+  const auto shifted = [&](const Rational& s) {
+    return moved({pose_a, pose_b}, {s * along[0], s * along[1], s * along[2]});
+  };
+  kernel::require_sound_floating_point();
+  Placed_pair first(data_->groups(), shifted(exit[0]));
+  if (!add_interiors_apart(text, first)) return data_->leave_out();
+  if (exit[0] == 0) {
+    data_->keep(std::move(text));
+    return true;
+  }
+
+  // Beyond `until`, a plane across the direction is between the bodies.
+  const Placed_pair last = first.at(shifted(exit[1]));
+  const kernel::Exact_vector across = tetratree::exact(tetratree::in_lowest_terms(along), 1);
+  const kernel::Exact_number between =
+      kernel::extent(last.body[1].hull({}), across, 1) - kernel::extent(last.body[0].hull({}), across, -1);
+  Rational until = Rational(between) / Rational(last.weight) / kernel::dot(tetratree::in_lowest_terms(along), along);
+  if (until <= 0) until = 1;
+  add_key(text, "gone");
+  text += "{\"until\":" + tetratree::json_text(kernel::to_string(until));
+  if (!leads_free(text, shifted(exit[1] + until), last, -1)) return data_->leave_out();
+  text += "}";
+  add_key(text, "before");
+  text += '[';
+  for (const Placed_pair* pair : {&std::as_const(first), &last})
+    if (!add_just_before(text, *pair, along)) return data_->leave_out();
+  text += ']';
+  data_->keep(std::move(text));
+  return true;
+}
+
+bool Certificate::depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer)
+{
+  std::string text = Data::begin("depth", pose_a, pose_b) + tetratree::json_text(answer.exact_square);
+  Rational_point v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = Rational(answer.exact_vector[k]);
+  add_key(text, "vector");
+  text += tetratree::strings_of(v);
+  kernel::require_sound_floating_point();
+  Placed_pair apart(data_->groups(), moved({pose_a, pose_b}, v));
+  if (!add_interiors_apart(text, apart)) return data_->leave_out();
+  data_->keep(std::move(text));
+  return true;
+}
+
+bool Certificate::first_contact(const Motion& a, const Motion& b, Question question,
+                                const std::optional<First_contact>& answer)
+{
+  kernel::require_sound_floating_point();
+  std::string text = Data::begin("motion");
+  add_key(text, "question");
+  text += tetratree::json_text(kernel::to_string(question));
+  for (const auto& [name, motion] : {std::pair("a", &a.exact()), std::pair("b", &b.exact())})
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::string key = std::string(k == 0 ? "from_" : "to_") + name;
+      if (motion->ends())
+        tetratree::add_pose(text, key, (*motion->ends())[k]);
+      else
+        tetratree::add_rigid_pose(text, key, motion->rigid_ends()[k]);
+    }
+  add_key(text, "answer");
+  if (answer)
+    tetratree::add_list(text, std::array{answer->lo, answer->hi},
+                        [](double t) { return tetratree::json_text(kernel::shortest(t)); });
+  else
+    text += "null";
+  tetratree::Moving_pair moving(data_->groups(), {a.exact(), b.exact()});
+  if (answer) {
+    std::string witness = "{";
+    if (cover_or_meet(witness, moving.at(answer->hi))) {
+      // The witness is the only key; its time stands first in it.
+      const std::string key = "\"witness\":{";
+      text += ",\"witness\":{\"time\":" + tetratree::json_text(kernel::to_string(Rational(answer->hi))) + "," +
+              witness.substr(1 + key.size());
+    } else if (answer->hi != 0 || !(add_one_winding(text, moving.at(0), 0) || add_one_winding(text, moving.at(0), 1))) {
+      return data_->leave_out();
+    }
+    if (answer->hi == 0) {
+      data_->keep(std::move(text));
+      return true;
+    }
+  }
+  tetratree::Motion_cover cover(moving, answer ? answer->lo : 1, answer && answer->lo == answer->hi);
+  if (!cover()) return data_->leave_out();
+  add_cover(text, cover.cover());
+  if (question == Question::solid && !add_all_windings(text, moving.at(0)))
+    tetratree::fail_proof("the answer is not proved: shells");
+  data_->keep(std::move(text));
+  return true;
+}
+
+}  // namespace tetracone

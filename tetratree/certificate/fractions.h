@@ -1,0 +1,78 @@
+#ifndef TETRACONE_TETRATREE_CERTIFICATE_FRACTIONS_H
+#define TETRACONE_TETRATREE_CERTIFICATE_FRACTIONS_H
+
+#include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/predicate/face_distance.h"
+
+#include <gmpxx.h>
+
+#include <string>
+
+/// Numbers of placed points, which have a common weight, as the fractions of certificates, and back.
+namespace tetracone::tetratree {
+
+inline kernel::Rational_point rational(const kernel::Exact_vector& v)
+{
+  return {kernel::Rational(v[0]), kernel::Rational(v[1]), kernel::Rational(v[2])};
+}
+
+/// Returns the point in the coordinates of the bodies, of which those of `point` are `weight` times as large.
+inline kernel::Rational_point rational(const kernel::Exact_point& point, const kernel::Exact_number& weight)
+{
+  const kernel::Rational by = kernel::Rational(point.weight) * kernel::Rational(weight);
+  kernel::Rational_point x = rational(point.at);
+  for (kernel::Rational& c : x) c /= by;
+  return x;
+}
+
+/// Returns the largest absolute value of a coordinate.
+inline kernel::Rational longest_part(const kernel::Rational_point& v)
+{
+  kernel::Rational longest = 0;
+  for (const kernel::Rational& x : v) longest = abs(x) > longest ? kernel::Rational(abs(x)) : longest;
+  return longest;
+}
+
+/// Returns the direction in integers without a common factor.
+inline kernel::Rational_point in_lowest_terms(kernel::Rational_point m)
+{
+  mpz_class common = 1, factor = 0;
+  for (const kernel::Rational& x : m) common = lcm(common, x.get_den());
+  for (kernel::Rational& x : m) {
+    x *= common;
+    factor = gcd(factor, x.get_num());
+  }
+  for (kernel::Rational& x : m) x /= factor;
+  return m;
+}
+
+inline mpz_class common_denominator(const kernel::Rational_point& x)
+{
+  return lcm(lcm(x[0].get_den(), x[1].get_den()), x[2].get_den());
+}
+
+/// Returns the number. Requires an integer, or a binary fraction.
+inline kernel::Exact_number exact(const kernel::Rational& x)
+{
+  kernel::Exact_number value = 0;
+  const std::string digits = mpz_class(abs(x.get_num())).get_str(16);
+  for (const char digit : digits)
+    value = value * kernel::Exact_number(16) + kernel::Exact_number(digit <= '9' ? digit - '0' : digit - 'a' + 10);
+  kernel::Rational unit(1, x.get_den());
+  // The factors 2^-1000 and less are doubles.
+  for (; unit < kernel::Rational(0x1p-1000); unit *= kernel::Rational(0x1p1000))
+    value = value * kernel::Exact_number(0x1p-1000);
+  value = value * kernel::Exact_number(unit.get_d());
+  return sgn(x) < 0 ? kernel::Exact_number(-value) : value;
+}
+
+/// Returns the point times a weight for which that is exact.
+inline kernel::Exact_vector exact(const kernel::Rational_point& x, const kernel::Rational& weight)
+{
+  return {exact(x[0] * weight), exact(x[1] * weight), exact(x[2] * weight)};
+}
+
+}  // namespace tetracone::tetratree
+
+#endif

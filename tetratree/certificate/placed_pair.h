@@ -1,0 +1,129 @@
+#ifndef TETRACONE_TETRATREE_CERTIFICATE_PLACED_PAIR_H
+#define TETRACONE_TETRATREE_CERTIFICATE_PLACED_PAIR_H
+
+#include "tetracone/kernel/number/error.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/certificate/proof_text.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace tetracone::tetratree {
+
+[[noreturn]] inline void fail_proof(const std::string& what) { throw Error("certificate: " + what); }
+
+/// Integers without a pattern that a proof tries.
+class Random_integers {
+ public:
+  /// Returns an integer of so many bits about 0.
+  double operator()(int bits)
+  {
+    state_ = state_ * 1664525u + 1013904223u;  // Numerical Recipes' generator
+    return double(state_ >> (32 - bits)) - std::ldexp(0.5, bits);
+  }
+
+ private:
+  std::uint32_t state_ = 1;
+};
+
+/// Returns a body, with its coordinates multiplied by `weight` and by the weights of both poses.
+inline Covered_body placed(Group_tree& groups, const kernel::Pose& pose, const kernel::Pose& other,
+                           const kernel::Exact_number& weight)
+{
+  const auto& vertices = groups.tree().model().vertices();
+  kernel::Exact_number by = weight;
+  if (other.is_rational()) by = by * other.weight();
+  std::array<kernel::Exact_number, 12> entry;
+  for (int k = 0; k < 12; ++k) entry[k] = pose.whole(k) * by;
+  Covered_body body{&groups, {}};
+  body.points.exact.reserve(vertices.size());
+  for (const covering::Vertex& v : vertices) {
+    const kernel::Exact_number x(v[0]), y(v[1]), z(v[2]);
+    const auto row = [&](int i) -> kernel::Exact_number {
+      return entry[i] * x + entry[i + 1] * y + entry[i + 2] * z + entry[i + 3];
+    };
+    body.points.exact.push_back({row(0), row(4), row(8)});
+  }
+  return body;
+}
+
+/// Two placed bodies on one scale.
+struct Placed_pair {
+  using Poses = std::array<kernel::Pose, 2>;
+
+  std::array<Covered_body, 2> body;
+  Poses pose;
+  kernel::Exact_number weight, rounding;  ///< of all coordinates; beyond it, of the rounded ones
+  Random_integers random;
+
+  Placed_pair(const std::array<Group_tree*, 2>& groups, const Poses& poses)
+      : body{placed(*groups[0], poses[0], poses[1], 1), placed(*groups[1], poses[1], poses[0], 1)},
+        pose(poses),
+        weight(poses[0].weight() * poses[1].weight()),
+        rounding(kernel::round_together(body[0].points, body[1].points))
+  {}
+
+  std::array<Group_tree*, 2> groups() const { return {body[0].groups, body[1].groups}; }
+  Placed_pair at(const Poses& poses) const { return {groups(), poses}; }
+
+  /// Returns the faces of the file of which the pieces are parts.
+  std::array<Index, 2> source_faces(const std::array<Box_id, 2>& piece) const
+  {
+    return {body[0].groups->source_face(piece[0]), body[1].groups->source_face(piece[1])};
+  }
+
+  std::array<kernel::Exact_face, 2> faces(const std::array<Box_id, 2>& piece)
+  {
+    return {body[0].face(piece[0]), body[1].face(piece[1])};
+  }
+
+  /// Returns the point that two pieces share, if there is one.
+  std::optional<Common_point> common(const std::array<Box_id, 2>& piece)
+  {
+    const auto face = faces(piece);
+    const kernel::Exact_distance found = kernel::distance_of_faces(face[0], face[1]);
+    if (!found.is_zero()) return std::nullopt;
+    return Common_point{piece, found.on_a};
+  }
+};
+
+inline void add_common(std::string& text, const Placed_pair& pair, const Common_point& common)
+{
+  const kernel::Rational_point x = rational(common.point, pair.weight);
+  add_witness(text, {x, x}, pair.source_faces(common.piece));
+}
+
+[[noreturn]] inline void refuse_whole(const Group_tree& groups, Index face)
+{
+  fail_proof("face " + std::to_string(groups.source_face(face)) +
+             " has no triangles; expected a face whose loops don't cross");
+}
+
+/// Appends a cover of the pair, or a witness: then it returns the point that the surfaces share.
+inline std::optional<Common_point> cover_or_meet(std::string& text, Placed_pair& pair,
+                                                 const kernel::Gap_rule& rule = {},
+                                                 const std::optional<kernel::Exact_vector>& preferred = {})
+{
+  Pair_cover cover(pair.body[0], pair.body[1], rule);
+  if (preferred) cover.prefer(*preferred);
+  try {
+    if (cover()) {
+      add_cover(text, cover.cover());
+      return std::nullopt;
+    }
+  } catch (const Face_without_triangles& found) {
+    refuse_whole(*pair.body[std::size_t(found.body)].groups, found.face);
+  }
+  if (!cover.common()) fail_proof("two faces are nearer than the answer");
+  add_common(text, pair, *cover.common());
+  return cover.common();
+}
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,106 @@
+#ifndef TETRACONE_TETRATREE_CERTIFICATE_SIDES_H
+#define TETRACONE_TETRATREE_CERTIFICATE_SIDES_H
+
+#include "tetracone/tetratree/certificate/windings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Points of each side of two surfaces: inside of both solids, or of one alone.
+namespace tetracone::tetratree {
+
+/// Returns when the segment from `start` to `start + way` crosses planes of faces that it meets, ascending; 1 is its
+/// end.
+inline std::vector<kernel::Rational> crossing_times(Placed_pair& pair, const kernel::Exact_vector& start,
+                                                    const kernel::Exact_vector& way)
+{
+  std::vector<kernel::Rational> times;
+  for (Covered_body& body : pair.body) {
+    Probe_cover cover(body, Probe{start, kernel::detail::sum(start, way), {}});
+    cover([&](Box_id, const kernel::Exact_face& face, bool) {
+      if (face.plane) {
+        const kernel::Exact_vector normal = kernel::detail::normal_of(*face.plane);
+        const kernel::Exact_number slope = kernel::dot(normal, way),
+                                   height = kernel::dot(normal, kernel::difference((*face.plane)[0], start));
+        if (slope.sign() != CGAL::ZERO) times.push_back(kernel::Rational(height) / kernel::Rational(slope));
+      }
+      return Probe_cover::Met::is_covered;
+    });
+  }
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// Returns a binary fraction near the middle of two numbers, and between them.
+inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::Rational& high)
+{
+  mpz_class unit = 1;
+  while ((high - low) * unit < 4) unit *= 2;
+  const kernel::Rational middle = (low + high) / 2 * unit;
+  return kernel::Rational(mpz_class(middle.get_num() / middle.get_den())) / unit;
+}
+
+/// Whether a point is inside of A, and of B.
+using Sides = std::array<bool, 2>;
+
+/// Appends a point for each of the sides, if some lines near a common point have them: between two crossings of a line,
+/// all points are on one side. So points are found within the thinnest overlap.
+inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Sides> wanted)
+{
+  constexpr int most_lines = 96, lines_of_a_size = 4;
+  constexpr std::size_t most_cells = 6;
+  kernel::Rounded_vector middle;
+  double size = 0;
+  for (int c = 0; c < 3; ++c) middle[c] = met.point.at[c].to_double() / met.point.weight.to_double();
+  for (const Covered_body& body : pair.body)
+    for (const kernel::Exact_vector& v : body.points.exact)
+      for (int c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(v[c].to_double() - middle[c]));
+  if (!std::isfinite(size)) return false;
+  const auto pieces = pair.faces(met.piece);
+  std::vector<std::string> rows;
+  const auto try_point = [&](const kernel::Exact_vector& x) {
+    const std::string of = "\"point\":" + strings_of(rational(kernel::Exact_point{x}, pair.weight));
+    const auto in_a = winding_row(pair, 0, of, x), in_b = winding_row(pair, 1, of, x);
+    if (!in_a || !in_b || std::erase(wanted, Sides{in_a->second != 0, in_b->second != 0}) == 0) return;
+    rows.push_back(in_a->first);
+    rows.push_back(in_b->first);
+  };
+  for (int n = 0; n < most_lines && !wanted.empty(); ++n) {
+    // The lines are along the normals of both pieces, or anyhow.
+    kernel::Hull_points way, none;
+    way.exact = {{kernel::Exact_number(pair.random(20)), kernel::Exact_number(pair.random(20)),
+                  kernel::Exact_number(pair.random(20))}};
+    if (const int k = n % lines_of_a_size; k < 2 && pieces[std::size_t(k)].plane)
+      way.exact = {kernel::detail::normal_of(*pieces[std::size_t(k)].plane)};
+    kernel::round_together(way, none);
+    if (way.rounded[0] == kernel::Rounded_vector{}) continue;
+    const kernel::Exact_vector half = kernel::detail::scaled(
+        kernel::rounded_to_bits(way.rounded[0], 20), kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)));
+    kernel::Exact_vector start;
+    for (int c = 0; c < 3; ++c) {
+      const double aside = std::ldexp(size, 1 - 2 * (n / lines_of_a_size)) * pair.random(20) * 0x1p-20;
+      start[c] = kernel::Exact_number(middle[c] + aside) - half[c];
+    }
+    const kernel::Exact_vector all = kernel::detail::scaled(half, kernel::Exact_number(2));
+    const auto times = crossing_times(pair, start, all);
+    std::vector<kernel::Rational> cells;
+    for (std::size_t k = 1; k < times.size(); ++k) cells.push_back(short_middle(times[k - 1], times[k]));
+    const auto distance = [](const kernel::Rational& t) { return kernel::Rational(abs(t - kernel::Rational(1, 2))); };
+    std::ranges::sort(cells, {}, distance);
+    if (cells.size() > most_cells) cells.resize(most_cells);
+    for (const kernel::Rational& t : cells)
+      if (!wanted.empty()) try_point(kernel::detail::sum(start, kernel::detail::scaled(all, exact(t))));
+  }
+  add_windings(text, rows);
+  return wanted.empty();
+}
+
+}  // namespace tetracone::tetratree
+
+#endif
