@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -143,10 +144,13 @@ class Placed_model {
 
   void place(Index v, Block& block, Index k)
   {
-    block.point[k] = frame_.is_identity() ? kernel::Point<K>(model_->point(v)) : frame_(model_->point(v));
     if constexpr (keeps_images) {
+      // In place: a copy would stall on store forwarding.
+      ::new (&block.point[k]) Point(frame_(model_->vertices()[v]));
       if (block.kept[k]) block.kept[k]->clear();
       block.point[k].slot = &block.kept[k];
+    } else {
+      block.point[k] = frame_.is_identity() ? Point(model_->point(v)) : frame_(model_->point(v));
     }
     block.placed_at[k] = now_;
   }

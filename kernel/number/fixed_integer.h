@@ -36,9 +36,6 @@ struct Fixed_integer {
 
   bool is_negative() const { return std::int64_t(limb[limbs - 1]) < 0; }
 
-  /// Returns limb k as a digit of base 2^64. The last digit has the number's sign.
-  Int128 digit(int k) const { return k == limbs - 1 ? Int128(std::int64_t(limb[k])) : Int128(limb[k]); }
-
   /// Return the number modulo 2^128, and the number that `x` is in two's complement.
   Uint128 modulo() const requires(limbs >= 2) { return Uint128(limb[1]) << 64 | limb[0]; }
   static Fixed_integer of(Uint128 x) requires(limbs >= 2)
@@ -98,30 +95,38 @@ struct Fixed_integer {
   }
 };
 
-/// Returns the product, which always fits. Row i adds a's digit i times b. Digits are below 2^64, the last of each
-/// number and of each row within +-2^63. So a part with one of these, a digit and a carry is within +-2^127: the
-/// largest is (2^64 - 1) (2^63 - 1) + (2^63 - 1) + (2^64 - 1) = 2^127 - 1, the least -(2^64 - 1) 2^63 - 2^63 = -2^127.
+/// Returns the product, which always fits. A negative number is its digits, as a number without sign, less a power of
+/// two: 2^(64 n) for a, 2^(64 m) for b. So the product is that of the digits, less b's digits at limb n where a is
+/// negative, less a's at limb m where b is; what both powers give together is beyond the last limb.
+///
+/// A part of the digits' product is a product of two digits, a digit and a carry: at most (2^64 - 1)^2 + 2 (2^64 - 1),
+/// which is 2^128 - 1.
 template <int n, int m>
 [[gnu::always_inline]] inline Fixed_integer<n + m> operator*(const Fixed_integer<n>& a, const Fixed_integer<m>& b)
 {
+  if constexpr (n == 1 && m == 1)
+    return Fixed_integer<2>::of(Uint128(Int128(std::int64_t(a.limb[0])) * std::int64_t(b.limb[0])));
   Fixed_integer<n + m> product;
   for (int i = 0; i < n; ++i) {
-    Int128 carry = 0;
+    std::uint64_t carry = 0;
     for (int j = 0; j < m; ++j) {
-      std::uint64_t& digit = product.limb[i + j];
-      if (i < n - 1 && j < m - 1) {
-        const Uint128 part = Uint128(a.limb[i]) * b.limb[j] + digit + Uint128(carry);
-        digit = std::uint64_t(part);
-        carry = Int128(part >> 64);
-      } else {
-        const Int128 before = j == m - 1 ? Int128(std::int64_t(digit)) : Int128(digit);
-        const Int128 part = a.digit(i) * b.digit(j) + before + carry;
-        digit = std::uint64_t(part);
-        carry = part >> 64;
-      }
+      const Uint128 part = Uint128(a.limb[i]) * b.limb[j] + product.limb[i + j] + carry;
+      product.limb[i + j] = std::uint64_t(part);
+      carry = std::uint64_t(part >> 64);
     }
-    product.limb[i + m] = std::uint64_t(carry);
+    product.limb[i + m] = carry;
   }
+  const auto subtract = [&product](const auto& digits, std::size_t at, bool is_asked) {
+    const std::uint64_t mask = is_asked ? ~std::uint64_t(0) : 0;
+    std::uint64_t borrow = 0;
+    for (std::size_t k = 0; k < digits.size(); ++k) {
+      const Uint128 part = Uint128(product.limb[at + k]) - (digits[k] & mask) - borrow;
+      product.limb[at + k] = std::uint64_t(part);
+      borrow = std::uint64_t(part >> 64) & 1;
+    }
+  };
+  subtract(b.limb, n, a.is_negative());
+  subtract(a.limb, m, b.is_negative());
   return product;
 }
 
@@ -134,22 +139,6 @@ struct Binary_number {
   /// The `bits` of a number that is too wide to be one. Sums of some such do not overflow.
   static constexpr int too_wide = 1 << 26;
 };
-
-/// Returns a double, exactly, by an odd integer or 0; infinity and NaN are too wide.
-[[gnu::always_inline]] inline Binary_number<1> binary_number(double x)
-{
-  const auto image = std::bit_cast<std::uint64_t>(x);
-  const int biased = int(image >> 52 & 0x7ff);
-  std::uint64_t magnitude = image & ((std::uint64_t(1) << 52) - 1);
-  if (biased == 0x7ff) return {Fixed_integer<1>(), 0, Binary_number<1>::too_wide};
-  if (biased != 0) magnitude |= std::uint64_t(1) << 52;
-  if (magnitude == 0) return {};
-  const int zeros = std::countr_zero(magnitude);
-  magnitude >>= zeros;
-  const auto integer = std::int64_t(magnitude);
-  return {Fixed_integer<1>(x < 0 ? -integer : integer), (biased == 0 ? 1 : biased) - 1075 + zeros,
-          int(std::bit_width(magnitude))};
-}
 
 /// Numbers as integers times one power of two: integer[k] * 2^exponent, each below 2^bits.
 template <std::size_t count>
@@ -179,13 +168,38 @@ struct Fixed_numbers {
   }
 };
 
-/// Returns doubles, exactly.
+/// Returns doubles, exactly; infinity and NaN are too wide. It has no branch a number, since zeros come and go
+/// unpredictably among the coordinates of a vertex.
 template <std::size_t count>
-Fixed_numbers<count> fixed_numbers(const std::array<double, count>& numbers)
+[[gnu::always_inline]] inline Fixed_numbers<count> fixed_numbers(const std::array<double, count>& numbers)
 {
-  std::array<Binary_number<1>, count> binary;
-  for (std::size_t k = 0; k < count; ++k) binary[k] = binary_number(numbers[k]);
-  return Fixed_numbers<count>::of(binary);
+  constexpr int most_exponent = 0x7ff, none = Binary_number<1>::too_wide;
+  std::array<std::uint64_t, count> odd;
+  std::array<int, count> exponent;  // of the odd part; `none` for 0
+  int lowest = none, end = -none, largest = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto image = std::bit_cast<std::uint64_t>(numbers[k]);
+    const int biased = int(image >> 52 & most_exponent);
+    const std::uint64_t implied = std::uint64_t(biased != 0) << 52;
+    const std::uint64_t magnitude = (image & ((std::uint64_t(1) << 52) - 1)) | implied;
+    const int zeros = std::countr_zero(magnitude), unit = biased + (biased == 0) - 1075;
+    odd[k] = magnitude >> (zeros & 63);
+    exponent[k] = magnitude == 0 ? none : unit + zeros;
+    lowest = minimum(lowest, exponent[k]);
+    end = maximum(end, magnitude == 0 ? -none : unit + int(std::bit_width(magnitude)));
+    largest = maximum(largest, biased);
+  }
+  if (lowest == none) return {};
+  if (largest == most_exponent || end - lowest >= 64 * Fixed_numbers<count>::limbs) return {{}, 0, none};
+  Fixed_numbers<count> fixed;
+  fixed.exponent = lowest;
+  fixed.bits = end - lowest;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Uint128 digits = Uint128(odd[k]) << (exponent[k] == none ? 0 : exponent[k] - lowest);
+    const Uint128 sign = numbers[k] < 0 ? ~Uint128(0) : 0;
+    fixed.integer[k] = Fixed_integer<2>::of((digits ^ sign) - sign);
+  }
+  return fixed;
 }
 
 /// The entries of an affine map as integers: a row-major matrix, and a translation.
@@ -207,15 +221,10 @@ struct Fixed_map {
     matrix = Fixed_numbers<9>::of(m);
     translation = Fixed_numbers<3>::of(t);
   }
-  explicit Fixed_map(const std::array<double, 12>& entries) : Fixed_map(binary_numbers(entries)) {}
-
- private:
-  static std::array<Binary_number<1>, 12> binary_numbers(const std::array<double, 12>& entries)
-  {
-    std::array<Binary_number<1>, 12> binary;
-    for (std::size_t k = 0; k < 12; ++k) binary[k] = binary_number(entries[k]);
-    return binary;
-  }
+  explicit Fixed_map(const std::array<double, 12>& m)
+      : matrix(fixed_numbers<9>({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]})),
+        translation(fixed_numbers<3>({m[3], m[7], m[11]}))
+  {}
 };
 
 }  // namespace tetracone::kernel

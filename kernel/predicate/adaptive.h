@@ -67,6 +67,13 @@ class Adaptive : public Adaptive_filter,
     return unfiltered_difference_sign(a, b, axis);
   }
 
+  /// Returns the sign of d . (b - a) by the fixed stage, exactly, or undecided. Requires |d[k]| <= `longest_direction`.
+  static Decision sign_along(const Point_3& a, const Point_3& b, const std::array<int, 3>& d)
+  {
+    const Decision sign = fixed_sign_along(a, b, d);
+    return sign ? counted(Stage::fixed, *sign) : sign;
+  }
+
   /// Returns `volume_sign` of a, b, c with each of three points, of which the filter leaves two or more undecided. The
   /// fixed stage decides all three at once, and counts them.
   [[gnu::noinline]] static std::array<CGAL::Sign, 3> unfiltered_sides(const Point_3& a, const Point_3& b,

@@ -12,7 +12,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace tetracone::kernel {
 
@@ -55,6 +57,19 @@ class Adaptive_fixed : public Adaptive_points {
   static Decision fixed_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
     return Aligned<2>({&a, &b}).decide([axis](const auto& p) { return sign(p[0][axis] - p[1][axis]); });
+  }
+
+  /// Upper bound of the components of a direction that `fixed_sign_along` takes.
+  static constexpr int longest_direction = 1023;
+
+  /// Returns the sign of d . (b - a), exactly, or undecided. Requires |d[k]| <= `longest_direction`. A product has a
+  /// limb more than a difference, so that the sum fits.
+  static Decision fixed_sign_along(const Point_3& a, const Point_3& b, const std::array<int, 3>& d)
+  {
+    return Aligned<2>({&a, &b}).decide([&d](const auto& p) {
+      const auto part = [&](int k) { return (p[1][k] - p[0][k]) * Fixed_integer<1>(d[k]); };
+      return sign(part(0) + part(1) + part(2));
+    });
   }
 
  private:
@@ -106,7 +121,7 @@ class Adaptive_fixed : public Adaptive_points {
       std::array<int, count> exponent, bits;
       int lowest = Binary_number<1>::too_wide;
       for (std::size_t n = 0; n < count; ++n) {
-        image_[n] = &kept_fixed_image(*points[n], made_[n]);
+        image_[n] = &kept_fixed_image(*points[n], n);
         const Binary_number<1>& own = weight_of(*points[n]);
         own_[n] = own.integer.limb[0];
         exponent[n] = image_[n]->exponent - own.exponent;
@@ -133,7 +148,11 @@ class Adaptive_fixed : public Adaptive_points {
         -> std::optional<decltype(question(std::array<Coordinates<1>, count>()))>
     {
       if (bits_ <= most_bits_of<1>) return question(images<1>());
-      if (bits_ <= most_bits_of<2>) return question(images<2>());
+      if (bits_ <= most_bits_of<2>) {
+        const auto p = images<2>();
+        if (const auto near = from_first(p)) return question(*near);
+        return question(p);
+      }
       if (bits_ <= most_bits_of<3>) return question(images<3>());
       if (bits_ <= most_bits) return question(images<Fixed_image::limbs>());
       return std::nullopt;
@@ -149,15 +168,34 @@ class Adaptive_fixed : public Adaptive_points {
     template <int limbs>
     std::array<Coordinates<limbs>, count> images() const
     {
-      std::array<Coordinates<limbs>, count> p;
+      const auto coordinate = [this](std::size_t n, int k) {
+        Fixed_integer<limbs> x(image_[n]->coordinate[k]);
+        for (std::size_t w = 0; w < weight_count_; ++w)
+          if (lacks(n, w)) x = Fixed_integer<limbs>(x * Fixed_integer<1>(std::int64_t(weight_[w])));
+        return shift_[n] != 0 ? x << shift_[n] : x;
+      };
+      // At once: otherwise the numbers would be made 0 before.
+      return [&]<std::size_t... n>(std::index_sequence<n...>)
+      {
+        return std::array{Coordinates<limbs>{coordinate(n, 0), coordinate(n, 1), coordinate(n, 2)}...};
+      }
+      (std::make_index_sequence<count>());
+    }
+
+    /// Returns the points moved so that the first is the origin, which changes no difference; nothing where one limb is
+    /// too narrow for that. Points near one another fit, however far they are from the origin of their frame.
+    static std::optional<std::array<Coordinates<1>, count>> from_first(const std::array<Coordinates<2>, count>& p)
+    {
+      constexpr int most_of_difference = most_bits_of<1> + 1;
+      std::array<Coordinates<1>, count> near;
+      bool fit = true;
       for (std::size_t n = 0; n < count; ++n)
         for (int k = 0; k < 3; ++k) {
-          p[n][k] = Fixed_integer<limbs>(image_[n]->coordinate[k]);
-          for (std::size_t w = 0; w < weight_count_; ++w)
-            if (lacks(n, w)) p[n][k] = Fixed_integer<limbs>(p[n][k] * Fixed_integer<1>(std::int64_t(weight_[w])));
-          if (shift_[n] != 0) p[n][k] = p[n][k] << shift_[n];
+          const Fixed_integer<2> difference = p[n][k] - p[0][k];
+          fit &= difference.modulo() + (Uint128(1) << most_of_difference) <= Uint128(2) << most_of_difference;
+          near[n][k] = Fixed_integer<1>(difference);
         }
-      return p;
+      return fit ? std::optional(near) : std::nullopt;
     }
 
     bool is_among_weights(std::uint64_t weight) const
@@ -169,9 +207,8 @@ class Adaptive_fixed : public Adaptive_points {
     bool lacks(std::size_t n, std::size_t w) const { return own_[n] != weight_[w]; }
 
     std::array<const Fixed_image*, count> image_;
-    std::array<std::optional<Fixed_image>, count> made_;  // of points without a slot
-    std::array<std::uint64_t, count> own_;                // the odd part of the weight that an image has
-    std::array<std::uint64_t, count> weight_;             // the first `weight_count_`: the different ones but 1
+    std::array<std::uint64_t, count> own_;     // the odd part of the weight that an image has
+    std::array<std::uint64_t, count> weight_;  // the first `weight_count_`: the different ones but 1
     std::size_t weight_count_ = 0;
     std::array<int, count> shift_{};
     int bits_ = 0;
@@ -183,13 +220,26 @@ class Adaptive_fixed : public Adaptive_points {
     return point.pose != nullptr && point.pose->is_rational() ? point.pose->binary_weight() : one;
   }
 
-  /// Returns the image of a point, which its slot keeps; `made` holds it where the point has none.
-  static const Fixed_image& kept_fixed_image(const Point_3& point, std::optional<Fixed_image>& made)
+  /// Returns the image of a point, which its slot keeps. Without a slot it is place n that keeps it, until the next
+  /// sign.
+  static const Fixed_image& kept_fixed_image(const Point_3& point, std::size_t n)
   {
-    std::optional<Fixed_image>& image = point.slot != nullptr ? kept(point).fixed : made;
-    if (!image) image = fixed_image(point);
+    if (point.slot == nullptr) return fixed_image_at(n, point);
+    std::optional<Fixed_image>& image = kept(point).fixed;
+    if (!image) image.emplace(Made_in_place{point});
     return *image;
   }
+  [[gnu::noinline]] static const Fixed_image& fixed_image_at(std::size_t n, const Point_3& point)
+  {
+    static thread_local std::array<Fixed_image, 6> images;
+    return images[n] = fixed_image(point);
+  }
+
+  /// Makes an image where it is kept: a copy would stall on store forwarding.
+  struct Made_in_place {
+    const Point_3& point;
+    operator Fixed_image() const { return fixed_image(point); }
+  };
 
   static Fixed_image fixed_image(const Point_3& point)
   {
@@ -215,12 +265,17 @@ class Adaptive_fixed : public Adaptive_points {
     static thread_local std::size_t last = 0;
     if (pose.is_rational()) return pose.fixed_map();
     const auto is_of_pose = [&pose](const Made& map) {
-      using Bits = std::array<std::uint64_t, 12>;
-      return std::bit_cast<Bits>(map.entries) == std::bit_cast<Bits>(pose.entries());
+      const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+      std::uint64_t differ = 0;
+      for (std::size_t k = 0; k < 12; ++k) differ |= bits(map.entries[k]) ^ bits(pose.entries()[k]);
+      return differ == 0;
     };
     if (!is_of_pose(made[last])) {
       last = 1 - last;
-      if (!is_of_pose(made[last])) made[last] = {pose.entries(), Fixed_map(pose.entries())};
+      if (!is_of_pose(made[last])) {
+        made[last].entries = pose.entries();
+        std::construct_at(&made[last].map, pose.entries());
+      }
     }
     return made[last].map;
   }

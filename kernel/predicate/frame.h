@@ -69,6 +69,10 @@ class Frame<Adaptive> {
   {
     return identity_ ? p : Adaptive::placed(p.vertex, *pose_);
   }
+  Point<Adaptive> operator()(const Vertex& vertex) const
+  {
+    return identity_ ? Adaptive::unmoved(vertex) : Adaptive::placed(vertex, *pose_);
+  }
 
   bool is_identity() const { return identity_; }
 

@@ -15,10 +15,19 @@ namespace tetracone::kernel {
 /// where bodies touch. A point's address stands for its image until `clear`.
 class Kept_sides {
  public:
-  std::array<Sign, 3> operator()(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
+  [[gnu::always_inline]] std::array<Sign, 3> operator()(const Corners<Adaptive>& triangle,
+                                                        const Corners<Adaptive>& points)
   {
     Some_sides sides = filtered_sides(triangle, points);
     if (sides.decided() < 3) decide(sides, triangle, points);
+    return sides.side;
+  }
+
+  /// Returns the signs of the first `count` points, which the filter leaves undecided. Requires 0 < count <= 3.
+  std::array<Sign, 3> unfiltered(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points, std::size_t count)
+  {
+    Some_sides sides{{}, {false, count < 2, count < 3}};
+    decide(sides, triangle, points);
     return sides.side;
   }
 

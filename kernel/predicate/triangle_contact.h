@@ -170,19 +170,25 @@ class Coplanar_contact {
 }  // namespace detail
 
 /// Returns the set that two closed triangles share, by signs alone. It is exact when K's signs of these points are.
-/// Requires that neither is degenerate.
-template <class K>
-Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q)
+/// Requires that neither is degenerate. `sides_of(triangle, points)` returns `sides<K>`.
+template <class K, class Sides_of>
+Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q, const Sides_of& sides_of)
 {
-  const auto side_q = sides<K>(p, q);
-  if (detail::all_strictly_beside(side_q)) return {};
-  const auto side_p = sides<K>(q, p);
-  if (detail::all_strictly_beside(side_p)) return {};
+  const auto side_q = sides_of(p, q);
+  if (all_strictly_beside(side_q)) return {};
+  const auto side_p = sides_of(q, p);
+  if (all_strictly_beside(side_p)) return {};
   if (side_q[0] == ZERO && side_q[1] == ZERO && side_q[2] == ZERO) {
     const int axis = projection_axis<K>(*p[0], *p[1], *p[2]);
     return detail::Coplanar_contact<K>(p, q, axis)();
   }
   return detail::crossing_contact<K>(p, q, side_p, side_q);
+}
+
+template <class K>
+Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q)
+{
+  return triangle_contact<K>(p, q, sides<K>);
 }
 
 }  // namespace tetracone::kernel

@@ -35,8 +35,10 @@ struct Some_sides {
   int decided() const { return is_decided[0] + is_decided[1] + is_decided[2]; }
 };
 
-/// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points.
-inline Some_sides filtered_sides(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
+/// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points. It is
+/// inlined: its result would be packed into registers through the stack, which stalls on store forwarding.
+[[gnu::always_inline]] inline Some_sides filtered_sides(const Corners<Adaptive>& triangle,
+                                                        const Corners<Adaptive>& points)
 {
   const auto &a = triangle[0]->image, &b = triangle[1]->image, &c = triangle[2]->image;
   const Vertex p = difference(b, a), q = difference(c, a), normal = cross(p, q);
@@ -85,12 +87,13 @@ inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, co
   return sides.side;
 }
 
-namespace detail {
-
+/// True when three points are on one side of a plane, none in it.
 inline bool all_strictly_beside(const std::array<Sign, 3>& side)
 {
   return side[0] == side[1] && side[1] == side[2] && side[0] != ZERO;
 }
+
+namespace detail {
 
 /// Rotates the corners so that the first is alone on one closed side of the other's plane. The two others are then on
 /// the other closed side. Returns the first corner's side or, if it is in the plane, the opposite of the others'.
@@ -145,13 +148,13 @@ std::optional<bool> coplanar_triangles_meet(const Corners<K>& p, const Corners<K
 ///
 /// `sides_of(triangle, points)` returns `sides<K>`.
 template <class K, class Sides_of>
-bool triangles_meet(Corners<K> p, Corners<K> q, const Sides_of& sides_of)
+bool triangles_meet(const Corners<K>& whole_p, const Corners<K>& whole_q, const Sides_of& sides_of)
 {
-  const auto side_q = sides_of(p, q);
-  if (detail::all_strictly_beside(side_q)) return false;
-  const auto side_p = sides_of(q, p);
-  if (detail::all_strictly_beside(side_p)) return false;
-  const Corners<K> whole_p = p, whole_q = q;
+  const auto side_q = sides_of(whole_p, whole_q);
+  if (all_strictly_beside(side_q)) return false;
+  const auto side_p = sides_of(whole_q, whole_p);
+  if (all_strictly_beside(side_p)) return false;
+  Corners<K> p = whole_p, q = whole_q;
   const Sign alone_p = detail::turn_alone_first<K>(p, side_p), alone_q = detail::turn_alone_first<K>(q, side_q);
   if (alone_p == ZERO || alone_q == ZERO) {
     if (alone_p == ZERO && alone_q == ZERO)

@@ -8,6 +8,7 @@
 #include "tetracone/kernel/contact/rational_contact.h"
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/face_contact.h"
+#include "tetracone/kernel/predicate/kept_sides.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
 #include "tetracone/kernel/predicate/triangle_contact8.h"
@@ -131,9 +132,10 @@ class Face_pairs {
       for (const Face_pair& pair : pairs) by_signs(pair);
   }
 
-  /// Forgets the exact faces of the last poses.
+  /// Forgets the exact faces and signs of the last poses.
   void begin()
   {
+    kept_sides_.clear();
     exact_faces_[0].clear();
     exact_faces_[1].clear();
   }
@@ -145,9 +147,9 @@ class Face_pairs {
     if (pair.are_triangles()) {
       const auto p = corners(a, *corners_a), q = corners(b, *corners_b);
       const auto side_q = kernel::sides<K>(p, q);
-      if (kernel::detail::all_strictly_beside(side_q)) return;
+      if (kernel::all_strictly_beside(side_q)) return;
       const auto side_p = kernel::sides<K>(q, p);
-      if (kernel::detail::all_strictly_beside(side_p)) return;
+      if (kernel::all_strictly_beside(side_p)) return;
       add_edges(0, a_, a, face_a, side_p, q, face_b, found);
       add_edges(1, b_, b, face_b, side_q, p, face_a, found);
       return;
@@ -208,7 +210,12 @@ class Face_pairs {
   {
     const auto [face_a, face_b, corners_a, corners_b] = pair;
     if (pair.are_triangles()) {
-      const auto contact = kernel::triangle_contact<K>(corners(a, *corners_a), corners(b, *corners_b));
+      const auto p = corners(a, *corners_a), q = corners(b, *corners_b);
+      kernel::Triangle_contact contact;
+      if constexpr (std::is_same_v<K, kernel::Adaptive>)
+        contact = kernel::triangle_contact<K>(p, q, [this](const auto& t, const auto& x) { return kept_sides_(t, x); });
+      else
+        contact = kernel::triangle_contact<K>(p, q);
       if (contact.count > 0) found.pieces.push_back(piece(pair, contact));
       return;
     }
@@ -289,6 +296,7 @@ class Face_pairs {
 
   const Contact_faces &a_, &b_;
   std::array<std::map<Index, kernel::Rational_face>, 2> exact_faces_;
+  kernel::Kept_sides kept_sides_;  // of triangles, for the adaptive kernel
 };
 
 }  // namespace tetracone::tetratree

@@ -74,6 +74,14 @@ class Separating_direction {
     return gap > 0 && gap <= std::numeric_limits<double>::max() ? gap : 0;
   }
 
+  /// Of the last search that found no plane: the direction, from A to B, along which the bodies overlap least, and
+  /// whether that is little.
+  std::array<double, 3> least_overlapping() const
+  {
+    return {least_overlapping_[0], least_overlapping_[1], least_overlapping_[2]};
+  }
+  bool was_near() const { return was_near_; }
+
   std::size_t bytes() const { return a_.table.bytes() + b_.table.bytes(); }
 
   /// Upper bound of the numbers of roundings, each of u of float or of double: 4 of directions turned back, 5 of the
@@ -107,6 +115,10 @@ class Separating_direction {
   /// The search ends where the origins are apart by at most this fraction of the reach. Four more steps would have
   /// found a plane in 39 more of 5,600 poses of contour trajectories, and in 73 of 5,600 of circular ones.
   static constexpr float hopeless = 0.85f;
+
+  /// Bodies are near one another where they overlap by less than this fraction of the reach: tables are too wide by
+  /// about as much.
+  static constexpr float most_overlap_of_near = 0.05f;
 
   struct Body {
     /// `sign` is the sign of its rows.
@@ -226,8 +238,14 @@ class Separating_direction {
   /// which decides most queries, stays in registers.
   [[gnu::noinline]] bool search(const Placed& placed, Attempt tried, Floats m, int steps, bool last_one_first)
   {
+    float least_overlap = std::numeric_limits<float>::infinity();
     const auto separates = [&] {
       tried = with_known_reach(placed, m, tried);
+      const float overlap = -tried.gap / kernel::sum_of_lanes(tried.reach)[0];
+      if (tried.is_defined && overlap < least_overlap) {
+        least_overlap = overlap;
+        least_overlapping_ = m;
+      }
       return tried.separates();
     };
     if (last_one_first && were_apart_ && !separates()) {
@@ -242,6 +260,7 @@ class Separating_direction {
     }
     last_ = m;
     last_gap_ = {tried.gap, tried.slack};
+    was_near_ = least_overlap < most_overlap_of_near;
     return were_apart_;
   }
 
@@ -297,7 +316,9 @@ class Separating_direction {
   Floats slack_ = Floats{} + std::numeric_limits<float>::quiet_NaN();  // of the rows, if units are in range
   Floats last_{};                                                      // the last direction tried
   bool were_apart_ = false;                                            // whether it separated
-  std::array<float, 2> last_gap_{};                                    // along it, and its slack
+  Floats least_overlapping_{};
+  bool was_near_ = false;
+  std::array<float, 2> last_gap_{};  // along it, and its slack
   double larger_unit_;
 };
 

@@ -5,6 +5,7 @@
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/triangle_triangle.h"
+#include "tetracone/kernel/predicate/vertex_separation.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/fast/bvh8_descent.h"
 #include "tetracone/tetratree/fast/separating_direction.h"
@@ -44,7 +45,8 @@ enum class Coherence {
 /// - the descent of pairs of boxes: the larger box is opened, and its eight parts are tested against the other box.
 ///   That box is carried into their frame with a slack that covers all rounding, the pose's included;
 /// - pairs of elements, which the signs of K decide. Where exact signs tell a pair apart, `Separating_face` may find
-///   that the plane of one parts the bodies.
+///   that the plane of one parts the bodies, or `kernel::are_parted_by_vertices` another plane. Bodies of few vertices
+///   are asked for the latter before the descent.
 ///
 /// So the answer equals testing all elements against all elements, and is exact where these signs are. For solids whose
 /// surfaces share no point, `Bvh8_containment` decides whether one holds the other.
@@ -160,6 +162,12 @@ class Bvh8_collision {
   /// Directions tried before the search for a plane ends.
   static constexpr int most_directions = 6;
 
+  /// Bodies of so few vertices are parted by these before any box is opened: that costs less.
+  static constexpr std::size_t few_vertices = 64;
+
+  /// The vertices along directions that cost about as much as a pair of triangles that exact signs decide.
+  static constexpr std::size_t vertices_of_pair = 256;
+
   /// True when a plane is found between the bodies. It is looked for once in a pose.
   bool is_apart_by_plane(const Pose& pose_a, const Pose& pose_b, Pair_memory* memory)
   {
@@ -203,6 +211,8 @@ class Bvh8_collision {
     }
     const bool follows = memory && memory->holds_front();
     if (!follows && is_apart_by_plane(*pose_a_, *pose_b_, memory)) return std::nullopt;
+    if (!follows && vertex_count() <= few_vertices && separating_direction_.was_near() && are_parted_by_vertices(1))
+      return std::nullopt;
     relate_frames();
     if constexpr (keeps_fronts) {
       if (follows) {
@@ -250,6 +260,37 @@ class Bvh8_collision {
                                                               : Relation::apart;
     if (front && front->holds()) front->relation = relation;
     return relation;
+  }
+
+  std::size_t vertex_count() const { return a_.placed.model().vertices().size() + b_.placed.model().vertices().size(); }
+
+  /// True when a plane is found between the bodies' vertices, in at most `steps` directions from the last one that was
+  /// tried. It is looked for by the adaptive kernel alone.
+  bool are_parted_by_vertices(int steps)
+  {
+    if constexpr (std::is_same_v<K, kernel::Adaptive>) {
+      place();
+      const auto vertices_of = [this](int body, Placed& placed) {
+        const auto& vertices = placed.placed.model().vertices();
+        if (!largest_[body]) largest_[body] = kernel::largest_coordinate(vertices);
+        return kernel::Placed_vertices{vertices, *largest_[body], body == 0 ? *pose_a_ : *pose_b_};
+      };
+      const auto point_of = [](Placed& body) {
+        return [&body](std::size_t v) -> const Point& { return body.placed.point(Index(v)); };
+      };
+      return kernel::are_parted_by_vertices(separating_direction_.least_overlapping(), vertices_of(0, a_), point_of(a_),
+                                            vertices_of(1, b_), point_of(b_), steps);
+    }
+    return false;
+  }
+
+  /// True when a plane is found between the bodies, after exact signs told `told` pairs of elements apart, these two
+  /// last. Each way is tried when it costs no more than the pairs did.
+  bool are_parted_beside(const Element& a, const Element& b, std::size_t told)
+  {
+    if (separating_face_(a_, a, b_, b, parted_by_, kept_sides_)) return true;
+    const std::size_t count = vertex_count(), due = (count + vertices_of_pair - 1) / vertices_of_pair;
+    return count > few_vertices && told == due && are_parted_by_vertices(most_directions);
   }
 
   void relate_frames()
@@ -329,6 +370,7 @@ class Bvh8_collision {
     start(trees);
     separating_face_.restart();
     bool meet = false, are_apart = false;
+    std::size_t told = 0;  // pairs that exact signs have told apart
     for (Stop stop; !meet && !are_apart && (stop = descend(stack_, trees)) != Stop::nothing_left;) {
       if (stop == Stop::leaves) {
         const Box_ids boxes = stack_.boxes();
@@ -337,7 +379,7 @@ class Bvh8_collision {
           const std::uint64_t undecided = kept_sides_.undecided();
           meet = elements_meet(a, b);
           if constexpr (std::is_same_v<K, kernel::Adaptive>)
-            are_apart = !meet && kept_sides_.undecided() != undecided && separating_face_(a_, a, b_, b, kept_sides_);
+            are_apart = !meet && kept_sides_.undecided() != undecided && are_parted_beside(a, b, ++told);
           return meet || are_apart;
         });
         if (meet && memory) memory->witness = boxes;
@@ -393,7 +435,16 @@ class Bvh8_collision {
     }
     count_triangles();
     if constexpr (std::is_same_v<K, kernel::Adaptive>) {
-      const auto sides_of = [this](const auto& triangle, const auto& points) { return kept_sides_(triangle, points); };
+      using Parted_by = Separating_face::Parted_by;
+      // Asked for A's plane first, then for B's unless A's parts the triangles.
+      Parted_by asked = Parted_by::neither;
+      parted_by_ = Parted_by::neither;
+      const auto sides_of = [&](const auto& triangle, const auto& points) {
+        const auto sides = kept_sides_(triangle, points);
+        asked = asked == Parted_by::neither ? Parted_by::a : Parted_by::b;
+        if (kernel::all_strictly_beside(sides)) parted_by_ = asked;
+        return sides;
+      };
       return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b), sides_of);
     } else {
       return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b));
@@ -424,8 +475,10 @@ class Bvh8_collision {
   Separating_direction separating_direction_;
   kernel::Kept_sides kept_sides_;
   Separating_face separating_face_;
+  Separating_face::Parted_by parted_by_ = {};  // of the last pair of triangles
   Bvh8_containment<K> containment_;
   Pair_stack stack_, next_level_;
+  std::array<std::optional<double>, 2> largest_;  // coordinates, once they have been asked for
   std::vector<Box_ids> leaves_;
   Query_statistics counts_;
   std::optional<Pair_memory> own_memory_;  // for `Coherence::last_frame`

@@ -20,17 +20,23 @@ namespace tetracone::tetratree {
 class Separating_face {
  public:
   /// Starts a query.
-  void restart() { pairs_ = attempts_ = 0; }
+  void restart() { pairs_ = next_attempt_ = 0; }
 
-  /// Tells of two elements that only exact signs have found apart. True when the plane of either is found to separate
-  /// the placed bodies. It is tried when it costs no more than the pairs told so far.
-  bool operator()(Placed_bvh8<>& a, const Element& of_a, Placed_bvh8<>& b, const Element& of_b,
+  /// Whose triangle has all corners of the other one strictly on one side of its plane: `b` where A's has not.
+  enum class Parted_by { neither, a, b };
+
+  /// Tells of two elements that only exact signs have found apart, and of what parts them. True when the plane of
+  /// either is found to separate the placed bodies. It is tried when it costs no more than the pairs told so far. An
+  /// attempt that fails makes the next one less likely to succeed, which waits for twice as many pairs.
+  bool operator()(Placed_bvh8<>& a, const Element& of_a, Placed_bvh8<>& b, const Element& of_b, Parted_by parted_by,
                   kernel::Kept_sides& sides_of)
   {
     ++pairs_;
-    if (pairs_ * vertices_of_pair < (attempts_ + 1) * (vertex_count(a) + vertex_count(b))) return false;
-    ++attempts_;
-    return separates(a, of_a, side_of_a_, b, sides_of) || separates(b, of_b, side_of_b_, a, sides_of);
+    if (parted_by == Parted_by::neither) return false;
+    if (pairs_ < next_attempt_ || pairs_ * vertices_of_pair < vertex_count(a) + vertex_count(b)) return false;
+    next_attempt_ = 2 * pairs_ + 1;
+    return (parted_by == Parted_by::a && separates(a, of_a, side_of_a_, b, sides_of)) ||
+           separates(b, of_b, side_of_b_, a, sides_of);
   }
 
   /// Returns the bytes of what is kept from query to query.
@@ -81,9 +87,11 @@ class Separating_face {
           return false;
     }
     for (std::size_t n = 0; n < near_.size(); n += 3) {
-      const auto vertex = [&](std::size_t k) { return near_[kernel::minimum(n + k, near_.size() - 1)]; };
-      for (const Sign sign : sides_of(triangle, {vertex(0), vertex(1), vertex(2)}))
-        if (!is_beyond(sign)) return false;
+      const std::size_t count = kernel::minimum(near_.size() - n, std::size_t(3));
+      const auto vertex = [&](std::size_t k) { return near_[n + (k < count ? k : 0)]; };
+      const auto side_of = sides_of.unfiltered(triangle, {vertex(0), vertex(1), vertex(2)}, count);
+      for (std::size_t k = 0; k < count; ++k)
+        if (!is_beyond(side_of[k])) return false;
     }
     return true;
   }
@@ -103,7 +111,7 @@ class Separating_face {
 
   std::vector<Side> side_of_a_, side_of_b_;     // of each element; empty before the first attempt
   std::vector<const Adaptive::Point_3*> near_;  // of an attempt: the vertices whose sides the filter leaves undecided
-  std::size_t pairs_ = 0, attempts_ = 0;        // of this query
+  std::size_t pairs_ = 0, next_attempt_ = 0;    // of this query: told so far, and before the next attempt
 };
 
 }  // namespace tetracone::tetratree

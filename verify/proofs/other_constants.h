@@ -34,6 +34,10 @@ inline std::vector<Other_constant> other_constants()
 
       {"kernel/predicate/hull_separation.h", "least", choice, "lengths that the search for a direction takes"},
       {"kernel/predicate/hull_separation.h", "most", choice, "lengths that the search for a direction takes"},
+      {"kernel/predicate/vertex_separation.h", "longest", choice, "how finely a direction is tried"},
+      {"kernel/predicate/vertex_separation.h", "0x1p-500", gate, "directions beyond it part nothing"},
+      {"kernel/predicate/vertex_separation.h", "0x1p500", gate, "directions beyond it part nothing"},
+      {"tetratree/fast/separating_direction.h", "most_overlap_of_near", choice, "when vertices are asked"},
       {"kernel/predicate/hull_separation.h", "step", choice, "a scale of lengths beyond these"},
       {"kernel/contact/crossing_polytope.h", "tangent", choice, "from where on fractions decide"},
       {"tetratree/certificate/cover.h", "least", gate, "with smaller numbers all corners are multiplied exactly"},
@@ -105,6 +109,8 @@ inline std::vector<Other_constant> other_constants()
       {"kernel/predicate/enclosed_distance.h", "most_radii", term, "Enclosed_distance::direction_error"},
       {"kernel/number/floating_point.h", "underflow_slack", tested, "verify/test/verify/proofs/bound_proofs.cpp"},
 
+      {"kernel/predicate/vertex_separation.h", "rounding", by_hand,
+       "a rounded fraction, a product and two sums of a factor, a product and three sums: 8 of 16 roundings"},
       {"kernel/bound/relative_frame.h", "underflow", by_hand,
        "products of numbers within is_in_range lose 2^-1075 each, times factors of at most 2^700"},
       {"kernel/bound/cone_coordinates.h", "64 * unit_roundoff<B>", by_hand,

@@ -4,6 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -91,6 +94,49 @@ BOOST_AUTO_TEST_CASE(sums_differences_and_shifts_are_those_of_whole_numbers_modu
   Random random(2);
   BOOST_TEST((wrong_sums<1>(random) + wrong_sums<2>(random) + wrong_sums<3>(random) + wrong_sums<4>(random) +
               wrong_sums<6>(random)) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(doubles_are_integers_times_one_power_of_2_or_too_wide)
+{
+  Random random(3);
+  int wrong = 0, wide = 0, zeros = 0;
+  for (int n = 0; n < 40000; ++n) {
+    // Mostly about the widest that fits: 128 bits from the lowest to the highest.
+    const int lowest = n % 3 == 0 ? -1074 : int(random() % 1900) - 1074;
+    std::array<double, 3> x;
+    for (double& number : x) {
+      const double sign = random() % 2 == 0 ? 1 : -1;
+      switch (random() % 5) {
+        case 0: number = 0 * sign; break;
+        case 1: number = sign * std::ldexp(double(random() % 8), lowest); break;
+        default: number = sign * std::ldexp(double(random() >> 11), lowest + int(random() % 80)); break;
+      }
+    }
+    const Fixed_numbers<3> fixed = fixed_numbers(x);
+    std::array<mpz_class, 3> whole;  // times 2^1074
+    int end = 0, start = 1 << 20;
+    for (std::size_t k = 0; k < 3; ++k) {
+      whole[k] = mpz_class(mpq_class(x[k]) * (mpz_class(1) << 1074));
+      if (whole[k] == 0) continue;
+      end = std::max(end, int(mpz_sizeinbase(whole[k].get_mpz_t(), 2)));
+      start = std::min(start, int(mpz_scan1(whole[k].get_mpz_t(), 0)));
+    }
+    if (end == 0) {
+      wrong += fixed.bits != 0;
+      ++zeros;
+    } else if (end - start >= 128) {
+      wrong += fixed.bits != Binary_number<1>::too_wide;
+      ++wide;
+    } else {
+      wrong += fixed.bits != end - start || fixed.exponent + 1074 != start;
+      for (std::size_t k = 0; k < 3; ++k) wrong += (exactly(fixed.integer[k]) << start) != whole[k];
+    }
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(wide > 500);
+  BOOST_TEST(zeros > 100);
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    BOOST_TEST((fixed_numbers<3>({1, bad, 0}).bits == Binary_number<1>::too_wide));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -356,6 +356,11 @@ BOOST_AUTO_TEST_CASE(fixed_signs_of_poses_of_several_weights_are_those_of_ration
       const Decision volume = Adaptive::fixed_volume_sign(p, q, r, t),
                      normal = Adaptive::fixed_normal_sign(p, q, r, n % 3),
                      difference = Adaptive::fixed_difference_sign(p, q, n % 3);
+      const int most = Adaptive::longest_direction;
+      const std::array<int, 3> d = {scenes::integer(random, -most, most), most, scenes::integer(random, -most, most)};
+      const auto way = s.from_first(1);
+      wrong +=
+          Adaptive::fixed_sign_along(p, q, d) != CGAL::sign(Rational(d[0] * way[0] + d[1] * way[1] + d[2] * way[2]));
       undecided += !volume + !normal + !difference;
       wrong += (volume && *volume != s.volume()) + (normal && *normal != s.normal(n % 3)) +
                (difference && *difference != s.difference(n % 3));
@@ -441,6 +446,7 @@ BOOST_AUTO_TEST_CASE(fixed_signs_are_right_up_to_their_most_bits_and_undecided_b
     BOOST_TEST(!Adaptive::fixed_volume_sign(p, o, o, o));
     BOOST_TEST(!Adaptive::fixed_normal_sign(o, p, o, 0));
     BOOST_TEST(!Adaptive::fixed_difference_sign(o, p, 0));
+    BOOST_TEST(!Adaptive::fixed_sign_along(o, p, {1, 2, 3}));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
+#include "verify/cases/shape_generators.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 
@@ -9,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_separating_face)
@@ -110,6 +112,37 @@ BOOST_AUTO_TEST_CASE(one_plane_answers_for_all_triangles_of_faces_an_ulp_apart)
     BOOST_TEST(collision.counts().triangle_tests < 5u);
   }
   BOOST_TEST(collision.bytes() > Bvh8_collision(a, b).bytes());
+}
+
+BOOST_AUTO_TEST_CASE(corners_that_nearly_touch_are_told_apart_in_any_frame_of_few_vertices_and_of_many)
+{
+  Random random(5);
+  int wrong = 0, apart = 0, by_few_pairs = 0;
+  // A corner of B against the opposite one of A.
+  for (const auto& [polyhedron, size] : {std::pair{triangulated(unit_cube()), std::array{1, 1, 1}},
+                                         std::pair{verify::plate(6, 0, 1), std::array{2, 2, 1}}}) {
+    const Body body(polyhedron);
+    Bvh8_collision collision(body.tree, body.tree);
+    const bool has_few = polyhedron.vertices.size() == 8;
+    for (int k = 0; k < 300; ++k) {
+      const Rational gap = Rational(integer(random, -1, 1)) * Rational(std::ldexp(1.0, -integer(random, 20, 60)));
+      const Pose shift(
+          std::array<Rational, 12>{1, 0, 0, size[0] + gap, 0, 1, 0, size[1] + gap, 0, 0, 1, size[2] + gap});
+      const int kind = has_few ? k % 4 : k % 4 == 1 ? 0 : k % 4;  // rounded frames where the truth costs little
+      const Pose frame = any_frame(random, kind), moved = composed(frame, shift);
+      const Pose pose_b = kind == 1 ? rounded(moved) : moved;
+      const bool truth =
+          kind == 1 ? verify::collide(body.truth, frame, body.truth, pose_b, Question::surface) : gap <= 0;
+      collision.clear_counts();
+      wrong += collision(frame, pose_b, Question::surface) != truth;
+      if (truth) continue;
+      ++apart;
+      by_few_pairs += collision.counts().triangle_tests < 5;
+    }
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(apart > 150);
+  BOOST_TEST(2 * by_few_pairs > apart);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
