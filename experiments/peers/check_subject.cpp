@@ -72,8 +72,8 @@ class Talk {
     return ask(a, b, pose_a, pose_b, truth, usual_);
   }
 
-  /// Asks a question of another kind, where the hello names it. `line` is the ask with the number that it is given, and
-  /// `value` the number that the answer carries, as nobody gets it wrong by more than a hundredth.
+  /// Asks a question of another kind, where the hello names it. `line` is the ask with the number that it is given.
+  /// `value` is the number that the answer carries. Nobody gets it wrong by more than a hundredth.
   template <class Line>
   void ask_kind(subject_lines::Kind kind, const Line& line, Outcome truth, double value = 0)
   {

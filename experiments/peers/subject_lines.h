@@ -19,9 +19,10 @@
 /// decimals of doubles; other rationals are strings "n/d".
 namespace tetracone::experiments::subject_lines {
 
-/// What a subject can be asked. Two bodies: whether they collide, which relation they have, whether they are at most so
-/// far apart, how far, and when they first meet in a linear motion. One body: where a point is, and where a ray first
-/// meets its surface.
+/// What a subject can be asked.
+/// - Of two bodies: whether they collide, their relation, whether they are within a distance, the distance, and their
+///   first contact in a linear motion.
+/// - Of one body: where a point is, and where a ray first meets its surface.
 enum class Kind { collide, relation, within, distance, inside, ray, first_contact };
 inline constexpr std::array all_kinds = {Kind::collide, Kind::relation, Kind::within,       Kind::distance,
                                          Kind::inside,  Kind::ray,      Kind::first_contact};

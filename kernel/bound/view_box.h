@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_BOUND_VIEW_BOX_H
 
 #include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/number/number.h"
 
@@ -9,7 +10,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace tetracone::kernel {
 
@@ -41,14 +44,14 @@ struct View_box {
 /// Lower bound of the rise at which a part of A may meet a part of B.
 inline double least_rise(const View_box& a, const View_box& b)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return std::nextafter(b.low[View_box::height] - a.high[View_box::height], -infinity);
+  const double rise = b.low[View_box::height] - a.high[View_box::height];
+  return rise - std::abs(rise) * few_roundings;
 }
 /// Upper bound of that rise.
 inline double most_rise(const View_box& a, const View_box& b)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return std::nextafter(b.high[View_box::height] - a.low[View_box::height], infinity);
+  const double rise = b.high[View_box::height] - a.low[View_box::height];
+  return rise + std::abs(rise) * few_roundings;
 }
 
 /// The view of the boxes of a body's tree.
@@ -62,55 +65,74 @@ class Box_view {
     for (std::size_t k = 0; k < 12; ++k) m[k] = CGAL::to_interval(map[k]);
     is_bounded_ = units.is_in_range();
     for (const Interval& x : m) is_bounded_ = is_bounded_ && x.inf() >= -0x1p200 && x.sup() <= 0x1p200;
-    const auto write = [&](std::size_t axis, std::size_t row) {
-      offset_[axis] = m[4 * row + 3];
+    std::array<std::array<Interval, 4>, 5> rows;
+    for (const auto& [axis, row] : {std::pair<std::size_t, std::size_t>(0, 0), {1, 1}, {View_box::height, 2}}) {
+      rows[axis][3] = m[4 * row + 3];
       for (std::size_t k = 0; k < 3; ++k) {
-        offset_[axis] += m[4 * row + k] * units.origin[k];
-        row_[axis][k] = m[4 * row + k] * units.unit;
+        rows[axis][3] += m[4 * row + k] * units.origin[k];
+        rows[axis][k] = m[4 * row + k] * units.unit;
       }
-    };
-    write(0, 0);
-    write(1, 1);
-    write(View_box::height, 2);
-    offset_[2] = offset_[0] + offset_[1];
-    offset_[3] = offset_[0] - offset_[1];
-    for (std::size_t k = 0; k < 3; ++k) {
-      row_[2][k] = row_[0][k] + row_[1][k];
-      row_[3][k] = row_[0][k] - row_[1][k];
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      rows[2][k] = rows[0][k] + rows[1][k];
+      rows[3][k] = rows[0][k] - rows[1][k];
+    }
+    for (std::size_t axis = 0; axis < axis_.size(); ++axis) {
+      Axis& to = axis_[axis];
+      const auto write = [](const Interval& x, double& middle) {
+        middle = x.inf() / 2 + x.sup() / 2;
+        return maximum(x.sup() - middle, middle - x.inf()) + few_roundings * maximum(x.sup(), -x.inf());
+      };
+      for (std::size_t k = 0; k < 3; ++k) to.relative = maximum(to.relative, write(rows[axis][k], to.row[k]));
+      to.absolute = write(rows[axis][3], to.offset) + underflow_slack;
     }
   }
 
   /// Returns the view of each box. It is unlimited where coordinates are too large to bound.
   std::array<View_box, lanes> operator()(const Obb8& boxes) const
   {
-    const CGAL::Protect_FPU_rounding<true> upward;
     std::array<View_box, lanes> seen;
-    for (int lane = 0; lane < boxes.lane_count; ++lane)
-      for (std::size_t axis = 0; axis < row_.size(); ++axis) {
-        const Interval about = is_bounded_ ? range(boxes, lane, axis) : Interval::largest();
-        seen[std::size_t(lane)].low[axis] = about.inf();
-        seen[std::size_t(lane)].high[axis] = about.sup();
+    for (int lane = 0; lane < boxes.lane_count; ++lane) {
+      View_box& box = seen[std::size_t(lane)];
+      if (!is_bounded_) {
+        box.low.fill(-std::numeric_limits<double>::infinity());
+        box.high.fill(std::numeric_limits<double>::infinity());
+        continue;
       }
+      double centre[3], half[3][3], reach = 0;
+      for (int k = 0; k < 3; ++k) {
+        centre[k] = double(boxes.origin[k]) + double(boxes.centre[k][lane]);
+        reach += std::abs(double(boxes.origin[k])) + std::abs(double(boxes.centre[k][lane]));
+        for (int i = 0; i < 3; ++i) {
+          half[i][k] = double(boxes.axis[i][k][lane]) * double(boxes.extent[i][lane]);
+          reach += std::abs(half[i][k]);
+        }
+      }
+      for (std::size_t axis = 0; axis < axis_.size(); ++axis) {
+        const Axis& along = axis_[axis];
+        const auto product = [&along](const double(&x)[3]) {
+          return along.row[0] * x[0] + along.row[1] * x[1] + along.row[2] * x[2];
+        };
+        const double middle = along.offset + product(centre),
+                     most = std::abs(product(half[0])) + std::abs(product(half[1])) + std::abs(product(half[2])) +
+                            (along.relative * reach + along.absolute) * 2;
+        box.low[axis] = middle - most;
+        box.high[axis] = middle + most;
+      }
+    }
     return seen;
   }
 
  private:
-  Interval range(const Obb8& boxes, int lane, std::size_t axis) const
-  {
-    const auto& row = row_[axis];
-    Interval middle = offset_[axis], half = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      middle += row[k] * (Interval(double(boxes.origin[k])) + Interval(double(boxes.centre[k][lane])));
-    for (int i = 0; i < 3; ++i) {
-      Interval along = 0;
-      for (std::size_t k = 0; k < 3; ++k) along += row[k] * Interval(double(boxes.axis[i][k][lane]));
-      half += CGAL::abs(along) * Interval(double(boxes.extent[i][lane]));
-    }
-    return middle + Interval(-half.sup(), half.sup());
-  }
+  /// A linear function of a body's local units, in rounded numbers. It is off by at most `absolute`, and by `relative`
+  /// times the sum of the coordinates' magnitudes. Both contain `few_roundings` of the terms, for all that is computed
+  /// of them. Their own roundings are covered by taking them twice.
+  struct Axis {
+    std::array<double, 3> row;
+    double offset, relative = 0, absolute = 0;
+  };
 
-  std::array<Interval, 5> offset_;
-  std::array<std::array<Interval, 3>, 5> row_;
+  std::array<Axis, 5> axis_;
   bool is_bounded_ = false;
 };
 

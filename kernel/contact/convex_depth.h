@@ -1,8 +1,10 @@
 #ifndef TETRACONE_KERNEL_CONTACT_CONVEX_DEPTH_H
 #define TETRACONE_KERNEL_CONTACT_CONVEX_DEPTH_H
 
+#include "tetracone/kernel/contact/corner_errors.h"
+#include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/rational_face.h"
-#include "tetracone/kernel/contact/shift_range.h"
+#include "tetracone/kernel/number/pose.h"
 
 #include <CGAL/gmpxx.h>
 
@@ -12,15 +14,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace tetracone::kernel {
 
-/// A placed convex solid: its corners, and the corners of its triangles and edges.
+/// A convex solid: its corners, and numbers of the corners of its triangles and edges. An edge has two triangles, which
+/// use it in opposite directions.
 struct Convex_solid {
-  std::vector<Rational_point> corners;
+  struct Edge {
+    std::array<std::uint32_t, 2> corners, triangles;
+  };
+
+  std::vector<Vertex> corners;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<Edge> edges;
 };
 
 /// The least translation of convex solid A after which its interior shares no point with that of B.
@@ -30,129 +38,219 @@ struct Convex_solid {
 /// largest n . b less the least n . a, over |n|. The plane of any other n is no nearer than the nearest facet, so more
 /// directions do not change the least.
 ///
-/// Products of edges are tried in the order of a lower bound of their planes' distance: n . (b - a) / |n| for points a
-/// and b of the edges. The search ends where that exceeds the least distance so far.
+/// - Arcs: a product of edges that is a facet's normal, and no face's, lies between the normals of the faces at either
+///   edge. These are then on different sides of the plane across the other solid's edge. Other products are left out.
+/// - Order: directions come in the order of a lower bound of their plane's distance, and end where it exceeds the
+///   least. For a product of edges, n . (b - a) for points of the edges is one.
+///
+/// All of this is computed in double, with bounds of the error. Fractions decide between the directions that are left,
+/// from the corners that may be the furthest.
 class Convex_depth {
  public:
   /// Requires interiors that share a point.
-  Convex_depth(const Convex_solid& a, const Convex_solid& b) : solid_{&a, &b}
+  Convex_depth(const Convex_solid& a, const Pose& pose_a, const Convex_solid& b, const Pose& pose_b)
+      : body_{Body(a, pose_a), Body(b, pose_b)}
   {
-    for (std::size_t body = 0; body < 2; ++body)
-      for (const Rational_point& x : solid_[body]->corners) {
-        Number_point<Interval> about;
-        for (std::size_t k = 0; k < 3; ++k) about[k] = CGAL::to_interval(x[k]);
-        for (const Interval& c : about) is_bounded_ = is_bounded_ && c.inf() >= -0x1p200 && c.sup() <= 0x1p200;
-        about_[body].push_back(about);
-      }
-    for (std::uint32_t body = 0; body < 2; ++body)
-      for (std::uint32_t f = 0; f < solid_[body]->triangles.size(); ++f)
-        for (const int sign : {1, -1}) offer({0, true, body, f, sign});
-    std::vector<Candidate> of_edges = products_of_edges();
-    std::ranges::sort(of_edges, {}, &Candidate::least);
-    for (const Candidate& c : of_edges) {
+    std::vector<Candidate> all;
+    {
+      const CGAL::Protect_FPU_rounding<true> upward;
+      for (Body& body : body_) round(body);
+      add_normals(all);
+      add_products_of_edges(all);
+      std::erase_if(all, [this](const Candidate& c) { return c.least > most_; });
+    }
+    std::ranges::sort(all, {}, [](const Candidate& c) { return std::pair(c.least, c.rank); });
+    for (const Candidate& c : all) {
       if (c.least > most_) break;
       offer(c);
     }
   }
 
-  /// Returns the least translation.
+  /// Returns the least translation. Among equal ones, a face's normal comes first, in the order of triangles.
   const Rational_point& vector() const { return vector_; }
   /// Returns the square of its length.
   const Rational& square() const { return *square_; }
 
  private:
+  struct Body {
+    Body(const Convex_solid& convex, const Pose& pose) : solid(&convex), exact(convex.corners.size())
+    {
+      for (int k = 0; k < 12; ++k) map[std::size_t(k)] = pose.exact(k);
+    }
+
+    const Rational_point& exactly(std::uint32_t corner)
+    {
+      if (!exact[corner]) exact[corner] = image(solid->corners[corner], map);
+      return *exact[corner];
+    }
+
+    const Convex_solid* solid;
+    std::array<Rational, 12> map;
+    std::vector<Number_point<double>> corners, normals, edges;  // rounded
+    std::vector<std::optional<Rational_point>> exact;           // corners
+  };
+
   /// A direction: the normal of triangle `second` of body `first`, or the product of an edge of each. `least` is a
   /// lower bound of its plane's distance.
   struct Candidate {
-    double least;
     bool is_normal;
     std::uint32_t first, second;
     int sign;
+    double least;
+    std::size_t rank;  // of equal ones, the lowest is taken
   };
 
-  template <class N>
-  static Number_point<N> direction(const Candidate& c, const std::array<const Convex_solid*, 2>& solid,
-                                   const std::array<const std::vector<Number_point<N>>*, 2>& corner)
+  /// Rounds the corners of a body, and covers their errors.
+  void round(Body& body)
   {
-    Number_point<N> n;
+    std::array<Interval, 12> map;
+    for (std::size_t k = 0; k < 12; ++k) map[k] = CGAL::to_interval(body.map[k]);
+    for (const Vertex& v : body.solid->corners) {
+      const Number_point<Interval> about = image(v, map);
+      for (const Interval& x : about) is_bounded_ = is_bounded_ && x.inf() >= -0x1p200 && x.sup() <= 0x1p200;
+      body.corners.push_back(errors_.rounded(about));
+    }
+    const auto step = [&](std::uint32_t from, std::uint32_t to) {
+      const auto edge = detail::step(body.corners[from], body.corners[to]);
+      errors_.add_edge(edge);
+      return edge;
+    };
+    for (const auto& t : body.solid->triangles)
+      body.normals.push_back(detail::product(step(t[0], t[1]), step(t[0], t[2])));
+    for (const Convex_solid::Edge& e : body.solid->edges) body.edges.push_back(step(e.corners[0], e.corners[1]));
+  }
+
+  /// Encloses the distance of a plane, of a rounded normal and its product with a point of the plane less one of
+  /// another.
+  Interval distance(double height, const Number_point<double>& n) const
+  {
+    if (!is_bounded_) return Interval::largest();
+    const double off = 2 * errors_.off_normal(), off_height = 2 * errors_.off_height();  // the root of 3 is below 2
+    const Interval x = n[0], y = n[1], z = n[2], square = x * x + y * y + z * z,
+                   length = CGAL::sqrt(square) + Interval(-off, off);
+    if (!(length.inf() > 0)) return Interval::largest();
+    return (Interval(height) * Interval(1 - few_roundings, 1 + few_roundings) + Interval(-off_height, off_height)) /
+           length;
+  }
+
+  /// Returns the rounded products of a direction with the corners of a body.
+  static std::vector<double> heights(const Number_point<double>& n, const Body& body)
+  {
+    std::vector<double> heights;
+    for (const auto& x : body.corners) heights.push_back(detail::inner(n, x));
+    return heights;
+  }
+
+  void add(std::vector<Candidate>& all, const Candidate& c, const Interval& distance)
+  {
+    if (distance.sup() < 0) return;  // a facet's plane is beyond 0, which is inside
+    all.push_back(c);
+    all.back().rank = all.size();
+    all.back().least = maximum(distance.inf(), 0.0);
+  }
+
+  void add_normals(std::vector<Candidate>& all)
+  {
+    for (std::uint32_t body = 0; body < 2; ++body)
+      for (std::uint32_t f = 0; f < body_[body].normals.size(); ++f) {
+        const Number_point<double>& n = body_[body].normals[f];
+        const auto of_a = std::ranges::minmax(heights(n, body_[0])), of_b = std::ranges::minmax(heights(n, body_[1]));
+        for (const int sign : {1, -1}) {
+          const Interval at = distance(sign > 0 ? of_b.max - of_a.min : of_a.max - of_b.min, n);
+          most_ = minimum(most_, at.sup());
+          add(all, {true, body, f, sign, 0, 0}, at);
+        }
+      }
+  }
+
+  void add_products_of_edges(std::vector<Candidate>& all)
+  {
+    const Body &a = body_[0], &b = body_[1];
+    const double off = is_bounded_ ? errors_.off_turn() : HUGE_VAL;
+    const auto side = [off](const Number_point<double>& edge, const Number_point<double>& normal) {
+      const double at = detail::inner(edge, normal);
+      return at > off ? 1 : at < -off ? -1 : 0;
+    };
+    std::vector<int> sides(b.normals.size());
+    for (std::uint32_t i = 0; i < a.edges.size(); ++i) {
+      for (std::size_t f = 0; f < sides.size(); ++f) sides[f] = side(a.edges[i], b.normals[f]);
+      const auto& [ends, at_edge] = a.solid->edges[i];
+      for (std::uint32_t j = 0; j < b.edges.size(); ++j) {
+        const auto& [other_ends, at_other] = b.solid->edges[j];
+        if (sides[at_other[0]] * sides[at_other[1]] > 0) continue;
+        if (side(b.edges[j], a.normals[at_edge[0]]) * side(b.edges[j], a.normals[at_edge[1]]) > 0) continue;
+        const auto n = detail::product(a.edges[i], b.edges[j]);
+        const double height = detail::inner(n, b.corners[other_ends[0]]) - detail::inner(n, a.corners[ends[0]]);
+        for (const int sign : {1, -1}) add(all, {false, i, j, sign, 0, 0}, distance(sign * height, n));
+      }
+    }
+  }
+
+  Rational_point direction(const Candidate& c)
+  {
+    Rational_point n;
     if (c.is_normal) {
-      const auto& t = solid[c.first]->triangles[c.second];
-      const auto& x = *corner[c.first];
-      n = detail::product(detail::step(x[t[0]], x[t[1]]), detail::step(x[t[0]], x[t[2]]));
+      Body& body = body_[c.first];
+      const auto& t = body.solid->triangles[c.second];
+      n = cross(difference(body.exactly(t[1]), body.exactly(t[0])), difference(body.exactly(t[2]), body.exactly(t[0])));
     } else {
-      const auto &e = solid[0]->edges[c.first], &f = solid[1]->edges[c.second];
-      n = detail::product(detail::step((*corner[0])[e[0]], (*corner[0])[e[1]]),
-                          detail::step((*corner[1])[f[0]], (*corner[1])[f[1]]));
+      const auto edge = [](Body& body, std::uint32_t k) {
+        const auto& ends = body.solid->edges[k].corners;
+        return difference(body.exactly(ends[1]), body.exactly(ends[0]));
+      };
+      n = cross(edge(body_[0], c.first), edge(body_[1], c.second));
     }
     if (c.sign < 0)
-      for (N& x : n) x = -x;
+      for (Rational& x : n) x = -x;
     return n;
   }
 
-  template <class N>
-  static N width(const Number_point<N>& n, const std::array<const std::vector<Number_point<N>>*, 2>& corner)
+  /// Returns the largest product of a direction with the corners of a body, of those whose rounded one is not surely
+  /// less than another's.
+  Rational largest(const Rational_point& n, const std::vector<double>& heights, Body& body, int sign)
   {
-    N least = detail::inner(n, (*corner[0])[0]), largest = detail::inner(n, (*corner[1])[0]);
-    for (const auto& x : *corner[0]) least = detail::least(least, detail::inner(n, x));
-    for (const auto& x : *corner[1]) largest = detail::largest(largest, detail::inner(n, x));
-    return N(largest - least);
-  }
-
-  std::array<const std::vector<Number_point<Interval>>*, 2> enclosed() const { return {&about_[0], &about_[1]}; }
-
-  std::vector<Candidate> products_of_edges() const
-  {
-    const CGAL::Protect_FPU_rounding<true> upward;
-    std::vector<Candidate> all;
-    const auto &e = solid_[0]->edges, &f = solid_[1]->edges;
-    for (std::uint32_t i = 0; i < e.size(); ++i)
-      for (std::uint32_t j = 0; j < f.size(); ++j) {
-        Candidate c{0, false, i, j, 1};
-        if (!is_bounded_) {
-          all.push_back(c);
-          c.sign = -1;
-          all.push_back(c);
-          continue;
-        }
-        const auto n = direction<Interval>(c, solid_, enclosed());
-        const Interval between = detail::inner(n, detail::step(about_[0][e[i][0]], about_[1][f[j][0]])),
-                       length = CGAL::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-        for (const int sign : {1, -1}) {
-          const Interval height = sign > 0 ? between : -between;
-          c.sign = sign;
-          c.least = length.inf() > 0 ? (height / length).inf() : -HUGE_VAL;
-          // A facet's plane is beyond 0, which is inside.
-          if (height.sup() > 0 && c.least <= most_) all.push_back(c);
-        }
-      }
-    return all;
+    const double off = is_bounded_ ? 3 * errors_.off_height() : HUGE_VAL;
+    double most = -HUGE_VAL;
+    for (const double x : heights) most = maximum(most, sign * x);
+    std::optional<Rational> found;
+    for (std::uint32_t k = 0; k < heights.size(); ++k) {
+      if (sign * heights[k] < most - off) continue;
+      const Rational at = sign * dot(n, body.exactly(k));
+      if (!found || at > *found) found = at;
+    }
+    return *found;
   }
 
   /// Takes the plane of a direction if it is nearer than all before.
   void offer(const Candidate& c)
   {
-    if (is_bounded_) {
+    std::array<std::vector<double>, 2> seen;
+    {
       const CGAL::Protect_FPU_rounding<true> upward;
-      const auto n = direction<Interval>(c, solid_, enclosed());
-      const Interval length = CGAL::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-      if (length.inf() > 0 && (width(n, enclosed()) / length).inf() > most_) return;
+      Number_point<double> about = c.is_normal ? body_[c.first].normals[c.second]
+                                               : detail::product(body_[0].edges[c.first], body_[1].edges[c.second]);
+      for (double& x : about) x *= c.sign;
+      for (std::size_t body = 0; body < 2; ++body) seen[body] = heights(about, body_[body]);
+      if (distance(std::ranges::max(seen[1]) - std::ranges::min(seen[0]), about).inf() > most_) return;
     }
-    const std::array<const std::vector<Rational_point>*, 2> corners = {&solid_[0]->corners, &solid_[1]->corners};
-    const Rational_point n = direction<Rational>(c, solid_, corners);
+    const Rational_point n = direction(c);
     if (is_zero(n)) return;
-    const Rational at = width(n, corners), square = at * at / dot(n, n);
-    if (square_ && *square_ <= square) return;
+    const Rational length = dot(n, n), at = largest(n, seen[1], body_[1], 1) + largest(n, seen[0], body_[0], -1),
+                   square = at * at / length;
+    if (square_ && (*square_ < square || (*square_ == square && rank_ < c.rank))) return;
     square_ = square;
-    for (std::size_t k = 0; k < 3; ++k) vector_[k] = at / dot(n, n) * n[k];
+    rank_ = c.rank;
+    for (std::size_t k = 0; k < 3; ++k) vector_[k] = at / length * n[k];
     const CGAL::Protect_FPU_rounding<true> upward;
-    most_ = CGAL::sqrt(Interval(CGAL::to_interval(square))).sup();
+    most_ = minimum(most_, CGAL::sqrt(Interval(CGAL::to_interval(square))).sup());
   }
 
-  std::array<const Convex_solid*, 2> solid_;
-  std::array<std::vector<Number_point<Interval>>, 2> about_;
+  std::array<Body, 2> body_;
+  Corner_errors errors_;
   bool is_bounded_ = true;
   double most_ = HUGE_VAL;  // upper bound of the least distance
   std::optional<Rational> square_;
+  std::size_t rank_ = 0;
   Rational_point vector_;
 };
 

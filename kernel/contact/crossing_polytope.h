@@ -41,26 +41,51 @@ class Crossing_polytope {
   /// is the direction 0. `is_outside_ball(axis, sign)` says whether the plane of a half-space does not cut the open
   /// ball.
   template <class Exactly>
-  Crossing_polytope(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b, bool are_bounded, double radius,
-                    double most, const Exactly& exactly)
+  Crossing_polytope(const Rounded_piece& a, const Rounded_piece& b, bool are_bounded, double radius, double most,
+                    const Exactly& exactly)
   {
     if (!are_bounded) {
       half_spaces_.push_back({{0, 0, 0}, -HUGE_VAL, HUGE_VAL});
       return;
     }
+    const Corner_errors errors(a.errors, b.errors);
+    const double slack = errors.off_step() + few_roundings * most;  // also for a box's own ends
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto range = [k](const Rounded_piece& piece) {
+        std::array<double, 2> range = {piece.corner[0][k], piece.corner[0][k]};
+        for (int i = 1; i < piece.count; ++i) {
+          range[0] = minimum(range[0], piece.corner[i][k]);
+          range[1] = maximum(range[1], piece.corner[i][k]);
+        }
+        return range;
+      };
+      const auto of_a = range(a), of_b = range(b);
+      low_[k] = -(of_a[1] - of_b[0] + slack);
+      high_[k] = of_b[1] - of_a[0] + slack;
+    }
+    const Interval off(-errors.off_normal(), errors.off_normal());
     detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
       if (axis.kind == Shift_axis::Kind::edge_of_a || axis.kind == Shift_axis::Kind::edge_of_b) return true;
-      const Number_point<Interval> n = detail::direction(axis, a, b);
-      if (detail::may_be_zero(n) && exactly.is_zero(axis)) return true;
-      const detail::Extent<Interval> of_a(n, a), of_b(n, b);
-      add(axis, 1, n, of_b.high - of_a.low, radius, most, exactly);
-      add(axis, -1, n, of_a.high - of_b.low, radius, most, exactly);
+      const detail::Allowed<Interval> allowed(axis, a, b, errors);
+      if (allowed.may_say_nothing && exactly.is_zero(axis)) return true;
+      const Number_point<double> about = detail::direction<double>(axis, a, b);
+      const Number_point<Interval> n = {about[0] + off, about[1] + off, about[2] + off};
+      add(axis, 1, n, allowed.high, radius, most, exactly);
+      add(axis, -1, n, -allowed.low, radius, most, exactly);
       return !is_beyond_;
     });
   }
 
   /// True when the polytope surely has no point in the ball.
   bool is_beyond() const { return is_beyond_; }
+
+  /// False when it surely has no translation of the box. A quick test, by the least box around it.
+  bool is_near(const Translation_box& box) const
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (box.centre[k] - box.half[k] > high_[k] || box.centre[k] + box.half[k] < low_[k]) return false;
+    return true;
+  }
 
   /// True when the polytope's inside surely has all translations of the box that are inside the ball.
   bool holds(const Translation_box& box) const
@@ -114,14 +139,16 @@ class Crossing_polytope {
     const Interval length = CGAL::sqrt(square), largest = length * radius;
     if (largest.sup() <= limit.inf()) return;
     if (-largest.inf() > limit.sup() && length.inf() > 0) is_beyond_ = true;
-    const bool is_tangent = std::abs(limit.sup() - largest.inf()) <= largest.sup() * tangent;
+    const bool is_tangent = limit.sup() >= largest.inf() * (1 - tangent);
     if (is_tangent && exactly.is_outside_ball(axis, sign)) return;
     half_spaces_.push_back(h);
   }
 
-  /// Planes are compared exactly with the ball where their distances from 0 differ by a smaller share.
+  /// A plane is compared exactly with the ball unless its distance from 0 is surely less than the radius, by at least
+  /// this share.
   static constexpr double tangent = 0x1p-30;
 
+  std::array<double, 3> low_ = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, high_ = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
   std::vector<Half_space> half_spaces_;
   bool is_beyond_ = false;
 };

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_CONTACT_SHIFT_RANGE_H
 #define TETRACONE_KERNEL_CONTACT_SHIFT_RANGE_H
 
+#include "tetracone/kernel/contact/corner_errors.h"
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/interval.h"
@@ -14,7 +15,8 @@
 
 /// By how much a convex polygon of A has to rise for it to meet one of B.
 ///
-/// Heights are along z, as in `Direction_view`. N is `Rational`, or `Interval` in a block of upward rounding.
+/// Heights are along z, as in `Direction_view`. N is `Rational`, or `Interval` in a block of upward rounding. Rounded
+/// pieces give intervals that are a little wider, and cost a fraction.
 namespace tetracone::kernel {
 
 /// A convex polygon with area: its corners in order, of which no three are on one line.
@@ -32,6 +34,21 @@ inline bool is_bounded(const Convex_piece<Interval>& piece)
       if (!(x.inf() >= -0x1p200 && x.sup() <= 0x1p200)) return false;
   return true;
 }
+
+/// A piece in rounded numbers, and what they may be off.
+struct Rounded_piece : Convex_piece<double> {
+  Corner_errors errors;
+
+  Rounded_piece() = default;
+  /// Requires a block of upward rounding, and a piece that is bounded.
+  explicit Rounded_piece(const Convex_piece<Interval>& piece)
+  {
+    count = piece.count;
+    for (int k = 0; k < count; ++k) corner[k] = errors.rounded(piece.corner[k]);
+    for (int k = 0; k < count; ++k) errors.add_edge(detail::step(corner[k], corner[(k + 1) % count]));
+    errors.add_edge(detail::step(corner[0], corner[2]));
+  }
+};
 
 /// An axis along which two pieces are compared. It is a normal, or a product of an edge of each, or of an edge and the
 /// direction of the shift.
@@ -55,6 +72,8 @@ inline Interval largest(const Interval& x, const Interval& y)
 {
   return {maximum(x.inf(), y.inf()), maximum(x.sup(), y.sup())};
 }
+inline double least(double x, double y) { return x < y ? x : y; }
+inline double largest(double x, double y) { return x > y ? x : y; }
 inline Rational least(const Rational& x, const Rational& y) { return x < y ? x : y; }
 inline Rational largest(const Rational& x, const Rational& y) { return x > y ? x : y; }
 
@@ -131,6 +150,23 @@ struct Allowed {
     high = of_b.high - of_a.low;
   }
 
+  /// Encloses what the axis allows. `errors` are those of both pieces.
+  Allowed(const Shift_axis& axis, const Rounded_piece& a, const Rounded_piece& b,
+          const Corner_errors& errors) requires std::is_same_v<N, Interval>
+  {
+    const Number_point<double> n = direction<double>(axis, a, b);
+    const bool is_beside = axis.kind == Shift_axis::Kind::edge_of_a || axis.kind == Shift_axis::Kind::edge_of_b;
+    const double off = is_beside ? errors.off_edge() : errors.off_normal(),
+                 off_height = is_beside ? errors.off_edge_height() : errors.off_height();
+    const Interval both(-2 * off_height, 2 * off_height);
+    is_axis = true;
+    may_say_nothing = !(std::abs(n[0]) > off || std::abs(n[1]) > off || std::abs(n[2]) > off);
+    rise = is_beside ? Interval(0) : Interval(n[2]) + Interval(-off, off);
+    const Extent<double> of_a(n, a), of_b(n, b);
+    low = Interval(of_b.low) - Interval(of_a.high) + both;
+    high = Interval(of_b.high) - Interval(of_a.low) + both;
+  }
+
   bool is_rising() const { return lower(rise) > 0; }
   bool is_falling() const { return upper(rise) < 0; }
   bool is_level() const { return lower(rise) == 0 && upper(rise) == 0; }
@@ -175,11 +211,14 @@ class Shift_range {
 
   Shift_range(const Convex_piece<N>& a, const Convex_piece<N>& b)
   {
-    detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
-      restrict_to(detail::Allowed<N>(axis, a, b));
-      return !is_empty_;
-    });
-    if (is_empty_ || !low_ || !(low_->most <= high_->least)) is_certain_ = false;
+    restrict_to_all(a, b, [&](const Shift_axis& axis) { return detail::Allowed<N>(axis, a, b); });
+  }
+
+  /// Requires pieces that are bounded.
+  Shift_range(const Rounded_piece& a, const Rounded_piece& b) requires std::is_same_v<N, Interval>
+  {
+    const Corner_errors errors(a.errors, b.errors);
+    restrict_to_all(a, b, [&](const Shift_axis& axis) { return detail::Allowed<N>(axis, a, b, errors); });
   }
 
   /// True when there is surely no such s.
@@ -192,6 +231,16 @@ class Shift_range {
   const std::optional<End>& high() const { return high_; }
 
  private:
+  template <class M, class Allow>
+  void restrict_to_all(const Convex_piece<M>& a, const Convex_piece<M>& b, const Allow& allowed)
+  {
+    detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
+      restrict_to(allowed(axis));
+      return !is_empty_;
+    });
+    if (is_empty_ || !low_ || !(low_->most <= high_->least)) is_certain_ = false;
+  }
+
   void restrict_to(const detail::Allowed<N>& allowed)
   {
     using detail::lower;
@@ -221,6 +270,26 @@ class Shift_range {
   bool is_empty_ = false, is_certain_ = true;
 };
 
+namespace detail {
+
+/// Returns the largest or the least product of an exact direction with the corners of a piece. Enclosures tell which
+/// corners need not be multiplied.
+inline Rational exact_end(bool is_largest, const Number_point<Interval>& direction, const Convex_piece<Interval>& piece,
+                          const Number_point<Rational>& exact_direction, const Convex_piece<Rational>& exact)
+{
+  const Extent<Interval> extent(direction, piece);
+  std::optional<Rational> end;
+  for (int k = 0; k < piece.count; ++k) {
+    const Interval about = inner(direction, piece.corner[k]);
+    if (is_largest ? about.sup() < extent.high.inf() : about.inf() > extent.low.sup()) continue;
+    const Rational at = inner(exact_direction, exact.corner[k]);
+    if (!end || (is_largest ? at > *end : at < *end)) end = at;
+  }
+  return *end;
+}
+
+}  // namespace detail
+
 /// Returns the exact end `high` of two pieces that surely have one. The enclosed pieces tell which axes need not be
 /// asked: those beyond `most`, the upper bound that `Shift_range` gave.
 inline Rational exact_high(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b, double most,
@@ -230,7 +299,12 @@ inline Rational exact_high(const Convex_piece<Interval>& a, const Convex_piece<I
   detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
     const detail::Allowed<Interval> about(axis, a, b);
     if (!about.is_axis || !(about.is_rising() || about.is_falling()) || about.last().inf() > most) return true;
-    const Rational last = detail::Allowed<Rational>(axis, exact_a, exact_b).last();
+    const auto n = detail::direction(axis, a, b);
+    const auto exact_n = detail::direction(axis, exact_a, exact_b);
+    const bool rises = about.is_rising();
+    const Rational last =
+        (detail::exact_end(rises, n, b, exact_n, exact_b) - detail::exact_end(!rises, n, a, exact_n, exact_a)) /
+        exact_n[2];
     if (!high || last < *high) high = last;
     return true;
   });

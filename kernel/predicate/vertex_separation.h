@@ -36,8 +36,8 @@ inline double largest_coordinate(const std::vector<Vertex>& vertices)
 /// The products of a body's placed vertices with a direction of integers, in double.
 class Vertex_reach {
  public:
-  /// Upper bound of the error of a product, relative to the sum of its terms' magnitudes: an entry that is a rounded
-  /// fraction, 3 roundings of a factor and 4 of a sum. The rest covers the bound's own.
+  /// Upper bound of the error of a product, relative to the sum of its terms' magnitudes. An entry may be a rounded
+  /// fraction; a factor has 3 roundings, and a sum 4. The rest covers the bound's own.
   static constexpr double rounding = 0x1p-49;
 
   Vertex_reach(const Placed_vertices& body, const std::array<int, 3>& direction) : vertices_(body.vertices)

@@ -13,8 +13,8 @@
 /// Points of a known side that lead up to a point, which show what is next to that point.
 namespace tetracone::tetratree {
 
-/// Appends a point that is inside of body `holder`, or outside, and a segment from it that meets the surface at its end
-/// x at the earliest. The segment leads against `along` where that is given. False where none of some is such.
+/// Appends a point that is inside of body `holder`, or outside, and a segment from it to x. The segment meets the
+/// surface at its end x at the earliest. It leads against `along` where that is given. False where none of some is such.
 inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {
@@ -66,8 +66,8 @@ inline bool add_border(std::string& text, const Placed_pair& pair, int inner, co
   return true;
 }
 
-/// Returns a common point, and points from it towards the middles of both pieces: where faces touch in an area, the
-/// point may be on its border, and they are within.
+/// Returns a common point, and points from it towards the middles of both pieces. Where faces touch in an area, the
+/// common point may be on the area's border. The others are within the area.
 inline std::vector<kernel::Rational_point> points_near(const Placed_pair& pair, const Common_point& met)
 {
   const kernel::Rational_point x = rational(met.point, pair.weight);

@@ -16,8 +16,8 @@ namespace tetracone::tetratree {
 /// Two bodies that move, placed as a proof over an interval of time asks for them.
 ///
 /// A corner's place, times a divisor that both bodies share, is a form in the time of the interval. Its coefficients
-/// are places, too: the first and the last are those at both ends. Where a direction separates two groups at each
-/// coefficient, it does so all the time, since the form of the gap then has positive coefficients alone.
+/// are places, too: the first and the last are those at both ends. A direction that separates two groups at each
+/// coefficient does so all the time. The form of the gap then has positive coefficients alone.
 class Moving_pair {
  public:
   Moving_pair(const std::array<Group_tree*, 2>& groups, const std::array<kernel::Body_motion, 2>& motions)

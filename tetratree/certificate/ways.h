@@ -15,8 +15,8 @@
 /// Ways of a body to its pose, which show that the interiors of solids that touch share no point.
 namespace tetracone::tetratree {
 
-/// Appends a cover over all times but the last of the motion on lines from `start` to the poses of `pair`, at which the
-/// surfaces may touch, and the windings at the first. `inside` is the body whose shells are inside of the other one; -1
+/// Appends a cover over the motion on lines from `start` to the poses of `pair`, and the windings at its start. The cover
+/// leaves out the last time, at which the surfaces may touch. `inside` is the body whose shells are inside of the other one; -1
 /// where all are outside. True where it holds.
 inline bool leads_free(std::string& text, const Placed_pair::Poses& start, const Placed_pair& pair, int inside)
 {
@@ -99,7 +99,7 @@ inline std::vector<Start> starts_of_ways(Placed_pair& pair, int inside, const Co
   return starts;
 }
 
-/// Appends a way of one body to its pose, before the end of which the surfaces share no point, if one of a few is such.
+/// Appends a way of one body to its pose, if one of a few is free: the surfaces share no point before its end.
 /// `inside` is as for `leads_free`. `met` is a point that the bodies share at their poses.
 inline bool add_way(std::string& text, Placed_pair& pair, int inside, const Common_point& met)
 {

@@ -3,14 +3,14 @@
 
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/contact/convex_depth.h"
-#include "tetracone/kernel/contact/rational_map.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
 
-#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -40,29 +40,27 @@ inline bool is_convex(const covering::Polyhedron& polyhedron, const Solid_sides&
   return true;
 }
 
-/// Returns a convex solid under a pose. Requires `is_convex`.
-inline kernel::Convex_solid placed_convex_solid(const covering::Polyhedron& polyhedron, const Solid_sides& sides,
-                                                const kernel::Pose& pose)
+/// Returns a convex solid. Requires `is_convex`.
+inline kernel::Convex_solid convex_solid(const covering::Polyhedron& polyhedron, const Solid_sides& sides)
 {
-  const kernel::Rational_map map(pose);
   kernel::Convex_solid solid;
   std::vector<std::uint32_t> number(polyhedron.vertices.size(), covering::none);
   const auto corner = [&](Index vertex) {
     const Index v = sides.place(vertex);
     if (number[v] == covering::none) {
       number[v] = std::uint32_t(solid.corners.size());
-      solid.corners.push_back(map(polyhedron.vertices[v]));
+      solid.corners.push_back(polyhedron.vertices[v]);
     }
     return number[v];
   };
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> half_edges;
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     const covering::Loop t = polyhedron.loop(f, 0);
     solid.triangles.push_back({corner(t[0]), corner(t[1]), corner(t[2])});
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t from = corner(t[k]), to = corner(t[(k + 1) % 3]);
-      if (from < to) solid.edges.push_back({from, to});
-    }
+    for (int k = 0; k < 3; ++k) half_edges[{corner(t[k]), corner(t[(k + 1) % 3])}] = f;
   }
+  for (const auto& [ends, f] : half_edges)
+    if (ends[0] < ends[1]) solid.edges.push_back({ends, {f, half_edges.at({ends[1], ends[0]})}});
   return solid;
 }
 

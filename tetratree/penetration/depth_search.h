@@ -149,11 +149,11 @@ class Depth_search {
   }
 
   /// Searches the ball of all translations that are shorter than the known one. Returns true where it has found a
-  /// shorter one, and the ball must be searched anew.
+  /// shorter one, and the ball is to be searched anew.
   template <class Leave, class Meet>
   bool search(const Leave& exit, const Meet& meet, const Depth_limits& limits)
   {
-    const double radius = std::nextafter(kernel::nearest_root(found_.square), HUGE_VAL);
+    double radius = std::nextafter(kernel::nearest_root(found_.square), HUGE_VAL);
     if (!(radius >= 0x1p-200 && radius <= 0x1p200)) return false;  // beyond what the boxes' numbers can bound
     const double most = std::ldexp(1.0, std::ilogb(radius) + 1);
     polytopes_.clear();
@@ -171,7 +171,10 @@ class Depth_search {
       --boxes_left_;
       auto near = std::make_shared<Near>();
       if (is_done(next, *near, meet)) continue;
-      if (next.halvings % halvings_an_exit == 0 && next.least > 0 && leave(centre(next.box), exit)) return true;
+      if (next.halvings % halvings_an_exit == 0 && next.least > 0 && leave(centre(next.box), exit)) {
+        if (polytopes_.size() <= few_polytopes) return true;
+        radius = std::nextafter(kernel::nearest_root(found_.square), HUGE_VAL);
+      }
       const auto axis = std::size_t(std::ranges::max_element(next.box.half) - next.box.half.begin());
       for (const int side : {-1, 1}) {
         Open_box part{0, next.halvings + 1, next.box, near};
@@ -194,6 +197,7 @@ class Depth_search {
   bool is_done(const Open_box& open, Near& near, const Meet& meet)
   {
     for (const std::uint32_t k : *open.near) {
+      if (!polytopes_[k].is_near(open.box)) continue;
       if (polytopes_[k].holds(open.box)) return true;
       if (polytopes_[k].may_meet(open.box)) near.push_back(k);
     }
@@ -241,7 +245,7 @@ class Depth_search {
         for (Seen_piece& a : solid_[0].pieces(in_a.element(box[0], i).face))
           for (Seen_piece& b : solid_[1].pieces(in_b.element(box[1], j).face)) {
             const CGAL::Protect_FPU_rounding<true> upward;
-            const Polytope polytope(a.about, b.about, a.is_bounded && b.is_bounded, radius, most,
+            const Polytope polytope(a.rounded, b.rounded, a.is_bounded && b.is_bounded, radius, most,
                                     Exactly{this, &a, &b});
             if (!polytope.is_beyond()) polytopes_.push_back(polytope);
           }
@@ -249,6 +253,9 @@ class Depth_search {
 
   /// Boxes between two exits along their centres.
   static constexpr unsigned halvings_an_exit = 6;
+  /// So many polytopes are found anew where a shorter translation was found, so that its own planes no longer cut the
+  /// ball.
+  static constexpr std::size_t few_polytopes = 10000;
   /// Polytopes that are kept, of some 1 kB each. Without the others the bracket may stay wider.
   static constexpr std::size_t most_polytopes = 300000;
 

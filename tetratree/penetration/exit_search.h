@@ -37,9 +37,11 @@ struct Exit_heights {
 /// 3. For s between `low` and `high` of two pieces whose planes are not parallel, A's piece goes through B's. Each has
 ///    its solid on some side, so the interiors share a point: F has all these s.
 ///
-/// The first exit is found by going up. From a rise in F the search goes to the largest `high` of a pair that has the
-/// rise between its ends. If there is no such pair, the relation of the solids at that rise decides, and the search
-/// goes to the least `high` above it.
+/// The first exit is found by going up. Rounded ends come first: where a pair is surely met below the rise that is
+/// reached, F goes on to its `high`. If that meets the range of the pair that leaves last, both exits are one.
+/// Otherwise fractions decide. From a rise in F the search goes to the largest `high` of a pair that has the rise
+/// between its ends. If there is no such pair, the relation of the solids at that rise decides, and the search goes to
+/// the least `high` above it.
 class Exit_search {
  public:
   Exit_search(Seen_solid a, Seen_solid b) : solid_{std::move(a), std::move(b)} {}
@@ -53,9 +55,20 @@ class Exit_search {
     solid_[0].see(map_a);
     solid_[1].see(map_b);
     const kernel::Rational last = *largest_high(nullptr);
-    last_pair_ = {};
+    const double goal = start_of_last();
+    if (goal < 0) return {last, last};
+    const std::optional<Met> reached = climb(goal);
+    if (reached && reached->high.least > goal) return {last, last};
     kernel::Rational at = 0;
-    for (bool is_in = true; at < last; is_in = false) {
+    if (reached) {
+      Candidate pair{reached->a, reached->b, reached->high.least, reached->high.most, std::nullopt};
+      at = exact_high(pair);
+      last_pair_ = {pair.a, pair.b};
+      last_high_ = at;
+    } else {
+      last_pair_ = {};
+    }
+    for (bool is_in = !reached; at < last; is_in = false) {
       if (auto high = largest_high(&at)) {
         at = std::move(*high);
         continue;
@@ -90,6 +103,102 @@ class Exit_search {
     std::optional<Rational> exact;
   };
 
+  /// Pieces that surely meet for the rises from `low` to `high.least`.
+  struct Met {
+    Seen_piece *a, *b;
+    double low;
+    kernel::Shift_range<kernel::Interval>::End high;
+  };
+
+  /// Pairs of boxes that may meet for the rises from `least` to `most`.
+  struct Rising {
+    double least, most;
+    Box_ids box;
+  };
+
+  /// Returns what enclosures say of two pieces. Requires a block of upward rounding, and pieces that are bounded.
+  static kernel::Shift_range<kernel::Interval> enclosed(const Seen_piece& a, const Seen_piece& b)
+  {
+    kernel::Shift_range<kernel::Interval> range(a.rounded, b.rounded);
+    if (!range.is_empty() && !range.is_certain()) range = {a.about, b.about};
+    return range;
+  }
+
+  /// Upper bound of the rise from which on the pair that was found last meets; infinity where it is not known.
+  double start_of_last() const
+  {
+    const auto [a, b] = last_pair_;
+    if (!a->is_bounded || !b->is_bounded) return std::numeric_limits<double>::infinity();
+    const CGAL::Protect_FPU_rounding<true> upward;
+    const auto range = enclosed(*a, *b);
+    return range.is_certain() ? range.low()->most : std::numeric_limits<double>::infinity();
+  }
+
+  /// Goes up from 0 by pieces that surely meet below the rise that is reached, until that is above the goal. Returns
+  /// the last of these pairs: F has all rises below its `high`. Nothing where no pair surely meets at 0.
+  std::optional<Met> climb(double goal)
+  {
+    double at = 0;
+    std::optional<Met> reached;
+    const auto is_met_later = [](const Met& x, const Met& y) { return x.low > y.low; };
+    const auto starts_later = [](const Rising& x, const Rising& y) { return x.least > y.least; };
+    std::vector<Met> met;       // from above `at`
+    std::vector<Rising> later;  // start above `at`
+    std::vector<Rising> ready;  // the others; the one that was added last is opened first
+    const auto add = [&](const Box_ids& box) {
+      const kernel::View_box &a = solid_[0].box(box[0]), &b = solid_[1].box(box[1]);
+      ++counts_.box_tests;
+      if (!a.may_cover(b)) return;
+      const Rising rising{kernel::least_rise(a, b), kernel::most_rise(a, b), box};
+      if (!(rising.most > at)) return;
+      if (rising.least < at)
+        ready.push_back(rising);
+      else
+        push_to(later, rising, starts_later);
+    };
+    const auto compare = [&](Seen_piece& a, Seen_piece& b) {
+      if (!a.is_bounded || !b.is_bounded) return;
+      const CGAL::Protect_FPU_rounding<true> upward;
+      const auto range = enclosed(a, b);
+      if (range.is_certain() && range.high()->least > at)
+        push_to(met, Met{&a, &b, range.low()->most, *range.high()}, is_met_later);
+    };
+    add({Box_id(), Box_id()});
+    for (;;) {
+      while (!met.empty() && met.front().low < at) {
+        const Met next = pop_from(met, is_met_later);
+        if (!(next.high.least > at)) continue;
+        at = next.high.least;
+        reached = next;
+      }
+      if (at > goal) return reached;
+      while (!later.empty() && later.front().least < at) ready.push_back(pop_from(later, starts_later));
+      if (ready.empty()) return reached;
+      const Rising next = ready.back();
+      ready.pop_back();
+      if (!(next.most > at)) continue;
+      ++counts_.pairs_visited;
+      const auto first = std::ptrdiff_t(ready.size());
+      open(next.box, add, compare);
+      std::sort(ready.begin() + first, ready.end(), [](const Rising& x, const Rising& y) { return x.most < y.most; });
+    }
+  }
+
+  template <class T, class Compare>
+  static void push_to(std::vector<T>& heap, const T& x, const Compare& is_after)
+  {
+    heap.push_back(x);
+    std::ranges::push_heap(heap, is_after);
+  }
+  template <class T, class Compare>
+  static T pop_from(std::vector<T>& heap, const Compare& is_after)
+  {
+    std::ranges::pop_heap(heap, is_after);
+    const T x = heap.back();
+    heap.pop_back();
+    return x;
+  }
+
   /// Returns the largest `high` of all pairs of pieces. With a rise `through`, it looks only at pairs that have it
   /// between their ends; nothing if there is none.
   std::optional<Rational> largest_high(const Rational* through)
@@ -107,7 +216,7 @@ class Exit_search {
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
       if (a.is_bounded && b.is_bounded) {
         const CGAL::Protect_FPU_rounding<true> upward;
-        const kernel::Shift_range<kernel::Interval> range(a.about, b.about);
+        const auto range = enclosed(a, b);
         if (range.is_empty()) return;
         if (range.high()) {
           const double most = range.high()->most;
@@ -149,7 +258,7 @@ class Exit_search {
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
       if (a.is_bounded && b.is_bounded) {
         const CGAL::Protect_FPU_rounding<true> upward;
-        const kernel::Shift_range<kernel::Interval> range(a.about, b.about);
+        const auto range = enclosed(a, b);
         if (range.is_empty() || (range.high() && range.high()->most < least_at)) return;
         if (range.is_certain()) {
           if (range.high()->least > best) return;
@@ -196,21 +305,29 @@ class Exit_search {
       queue_.pop_back();
       if (pair.key > limit()) break;
       ++counts_.pairs_visited;
-      const std::array<bool, 2> is_leaf = {solid_[0].tree().is_leaf(pair.box[0]),
-                                           solid_[1].tree().is_leaf(pair.box[1])};
-      if (is_leaf[0] && is_leaf[1]) {
-        compare_leaves(pair.box, compare);
-        continue;
-      }
-      const bool opens_b =
-          is_leaf[0] || (!is_leaf[1] && solid_[1].box(pair.box[1]).size() > solid_[0].box(pair.box[0]).size());
-      const Bvh8& tree = solid_[opens_b].tree();
-      const Index node = tree.child(pair.box[opens_b]);
-      for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
-        Box_ids closer = pair.box;
-        closer[opens_b] = {node, lane};
+      const auto add = [&](const Box_ids& closer) {
         if (push(closer, key)) std::ranges::push_heap(queue_, is_later);
-      }
+      };
+      open(pair.box, add, compare);
+    }
+  }
+
+  /// Compares the pieces of two leaves, or calls add(boxes) for the parts of the larger of two boxes.
+  template <class Add, class Compare>
+  void open(const Box_ids& box, const Add& add, const Compare& compare)
+  {
+    const std::array<bool, 2> is_leaf = {solid_[0].tree().is_leaf(box[0]), solid_[1].tree().is_leaf(box[1])};
+    if (is_leaf[0] && is_leaf[1]) {
+      compare_leaves(box, compare);
+      return;
+    }
+    const bool opens_b = is_leaf[0] || (!is_leaf[1] && solid_[1].box(box[1]).size() > solid_[0].box(box[0]).size());
+    const Bvh8& tree = solid_[opens_b].tree();
+    const Index node = tree.child(box[opens_b]);
+    for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
+      Box_ids closer = box;
+      closer[opens_b] = {node, lane};
+      add(closer);
     }
   }
 

@@ -15,9 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -26,10 +26,48 @@ namespace tetracone::tetratree {
 /// A convex part of a face, in the coordinates of a view.
 struct Seen_piece {
   kernel::Convex_piece<kernel::Interval> about;
+  kernel::Rounded_piece rounded;                                ///< of a piece that is bounded
   std::optional<kernel::Convex_piece<kernel::Rational>> exact;  ///< nothing until it is needed
   bool is_bounded;                                              ///< the numbers of `about` are far from overflow
   Index face;
   std::size_t cell;  ///< of a face that is not a plain triangle
+};
+
+/// Things by their number, made on demand. They stay in their place until all are forgotten. Then their memory is used
+/// again.
+template <class Thing>
+class Numbered_things {
+ public:
+  void forget()
+  {
+    ++round_;
+    used_ = 0;
+  }
+
+  /// Returns the thing of a number. fill(thing) fills a new one, or one that was forgotten.
+  template <class Fill>
+  Thing& operator()(Index number, const Fill& fill)
+  {
+    if (number >= places_.size()) places_.resize(number + 1);
+    Place& place = places_[number];
+    if (place.round == round_) return *place.thing;
+    if (used_ == things_.size()) things_.emplace_back();
+    Thing& thing = things_[used_++];
+    place = {round_, &thing};
+    fill(thing);
+    return thing;
+  }
+
+ private:
+  struct Place {
+    std::size_t round = 0;
+    Thing* thing = nullptr;
+  };
+
+  std::size_t round_ = 1;  // since all were forgotten last; places of other rounds are empty
+  std::size_t used_ = 0;   // things of this round
+  std::vector<Place> places_;
+  std::deque<Thing> things_;
 };
 
 /// A solid and its tree in the coordinates of a view (see `see`): convex pieces of faces, and boxes.
@@ -52,24 +90,23 @@ class Seen_solid {
     map_ = map;
     for (std::size_t k = 0; k < 12; ++k) about_map_[k] = CGAL::to_interval(map[k]);
     box_view_ = kernel::Box_view(map, tree_->scale());
-    boxes_.clear();
-    pieces_.clear();
+    boxes_.forget();
+    pieces_.forget();
   }
 
   /// Returns the view of a box.
   const kernel::View_box& box(Box_id id)
   {
-    auto at = boxes_.find(id.node());
-    if (at == boxes_.end()) at = boxes_.emplace(id.node(), box_view_(tree_->node_of(id).boxes)).first;
-    return at->second[std::size_t(id.lane())];
+    return boxes_(id.node(), [&](auto& boxes) { boxes = box_view_(tree_->node_of(id).boxes); })[std::size_t(id.lane())];
   }
 
   /// Returns the pieces of a face. They stay in their place until the next view.
   std::vector<Seen_piece>& pieces(Index f)
   {
-    const auto [at, is_new] = pieces_.try_emplace(f);
-    if (is_new) make_pieces(f, at->second);
-    return at->second;
+    return pieces_(f, [&](auto& pieces) {
+      pieces.clear();
+      make_pieces(f, pieces);
+    });
   }
 
   /// Returns a piece in rationals.
@@ -88,12 +125,12 @@ class Seen_solid {
   {
     const CGAL::Protect_FPU_rounding<true> upward;
     if (is_plain(f)) {
-      if (sides_->of(f).any_in) add(pieces, {triangle(f, about_map_), std::nullopt, false, f, 0});
+      if (sides_->of(f).any_in) add(pieces, {triangle(f, about_map_), {}, std::nullopt, false, f, 0});
       return;
     }
     const std::size_t count = cells(f).size();
     for (std::size_t c = 0; c < count; ++c) {
-      Seen_piece piece{{}, std::nullopt, false, f, c};
+      Seen_piece piece{{}, {}, std::nullopt, false, f, c};
       const Rational_piece& exact = exactly(piece);
       piece.about.count = exact.count;
       for (int k = 0; k < exact.count; ++k)
@@ -105,6 +142,7 @@ class Seen_solid {
   static void add(std::vector<Seen_piece>& pieces, Seen_piece piece)
   {
     piece.is_bounded = kernel::is_bounded(piece.about);
+    if (piece.is_bounded) piece.rounded = kernel::Rounded_piece(piece.about);
     pieces.push_back(std::move(piece));
   }
 
@@ -159,9 +197,9 @@ class Seen_solid {
   std::array<kernel::Rational, 12> map_;
   std::array<kernel::Interval, 12> about_map_;
   kernel::Box_view box_view_;
-  std::unordered_map<Index, std::array<kernel::View_box, kernel::lanes>> boxes_;  // by node
-  std::unordered_map<Index, std::vector<Seen_piece>> pieces_;                     // by face
-  std::map<Index, std::vector<Rational_piece>> cells_;                            // of faces that are not plain
+  Numbered_things<std::array<kernel::View_box, kernel::lanes>> boxes_;  // by node
+  Numbered_things<std::vector<Seen_piece>> pieces_;                     // by face
+  std::map<Index, std::vector<Rational_piece>> cells_;                  // of faces that are not plain
 };
 
 }  // namespace tetracone::tetratree

@@ -112,12 +112,7 @@ class Bvh8_relation_solver : public Relation_solver {
   {
     if (!interiors_meet(relation_alone(pose_a, pose_b))) return {};
     if (are_convex()) {
-      const auto placed = [](const Body_data& body, const kernel::Pose& pose) {
-        return tetratree::placed_convex_solid(body.polyhedron, body.solid_sides(), pose);
-      };
-      const kernel::Convex_solid a = placed(body_[0]->by_triangles(), pose_a),
-                                 b = placed(body_[1]->by_triangles(), pose_b);
-      const kernel::Convex_depth least(a, b);
+      const kernel::Convex_depth least((*convex_)[0], pose_a, (*convex_)[1], pose_b);
       return told({least.vector(), least.square(), 0, true});
     }
     if (!depth_search_) depth_search_.emplace(seen(body_[0]->by_triangles()), seen(body_[1]->by_triangles()));
@@ -221,13 +216,19 @@ class Bvh8_relation_solver : public Relation_solver {
     return depth;
   }
 
+  /// True where both solids are convex. Then `convex_` has them.
   bool are_convex()
   {
-    if (!are_convex_)
+    if (!are_convex_) {
       are_convex_ = std::ranges::all_of(body_, [](const Shared_body& body) {
         const Body_data& triangles = body->by_triangles();
         return tetratree::is_convex(triangles.polyhedron, triangles.solid_sides());
       });
+      const auto solid = [](const Body_data& body) {
+        return tetratree::convex_solid(body.polyhedron, body.solid_sides());
+      };
+      if (*are_convex_) convex_ = {solid(body_[0]->by_triangles()), solid(body_[1]->by_triangles())};
+    }
     return *are_convex_;
   }
 
@@ -366,6 +367,7 @@ class Bvh8_relation_solver : public Relation_solver {
   std::optional<tetratree::Exit_search> exit_search_;
   std::optional<tetratree::Depth_search> depth_search_;
   std::optional<bool> are_convex_;
+  std::optional<std::array<kernel::Convex_solid, 2>> convex_;
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ Exact_piece piece(const std::vector<Rational_point>& corners, const Rational& ri
   return result;
 }
 
+/// Encloses a piece. The middles of the enclosures are off by a quarter of the width.
 Convex_piece<Interval> about(const Exact_piece& exact, double width)
 {
   Convex_piece<Interval> result;
@@ -34,7 +35,7 @@ Convex_piece<Interval> about(const Exact_piece& exact, double width)
   for (int k = 0; k < exact.count; ++k)
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = nearest_double(exact.corner[k][i]);
-      result.corner[k][i] = Interval(x - width, x + width);
+      result.corner[k][i] = Interval(x - width, x + width / 2);
     }
   return result;
 }
@@ -101,10 +102,10 @@ BOOST_AUTO_TEST_CASE(a_pair_is_empty_where_the_seen_pieces_share_no_area)
   BOOST_TEST(Shift_range<Rational>(wall, wall).is_empty());
 }
 
-BOOST_AUTO_TEST_CASE(enclosed_pieces_bound_the_exact_ends)
+BOOST_AUTO_TEST_CASE(enclosed_and_rounded_pieces_bound_the_exact_ends)
 {
   scenes::Random random(3);
-  int certain = 0, empty = 0;
+  int certain = 0, empty = 0, told_by_rounded = 0;
   for (int round = 0; round < 1500; ++round) {
     const Exact_piece a = piece(any_triangle(random)), b = piece(any_triangle(random));
     const Shift_range<Rational> exact(a, b);
@@ -112,24 +113,28 @@ BOOST_AUTO_TEST_CASE(enclosed_pieces_bound_the_exact_ends)
       const CGAL::Protect_FPU_rounding<true> upward;
       const auto in_a = about(a, width), in_b = about(b, width);
       BOOST_TEST(is_bounded(in_a));
-      const Shift_range<Interval> range(in_a, in_b);
-      BOOST_TEST(!(range.is_empty() && !exact.is_empty()));
-      BOOST_TEST(!(range.is_certain() && exact.is_empty()));
-      empty += range.is_empty();
-      if (exact.is_empty()) continue;
-      if (range.high()) {
-        BOOST_TEST(Rational(range.high()->most) >= exact.high()->most);
-        BOOST_TEST(Rational(range.low()->least) <= exact.low()->most);
+      const Rounded_piece rounded_a(in_a), rounded_b(in_b);
+      for (const auto& range : {Shift_range<Interval>(in_a, in_b), Shift_range<Interval>(rounded_a, rounded_b)}) {
+        BOOST_TEST(!(range.is_empty() && !exact.is_empty()));
+        BOOST_TEST(!(range.is_certain() && exact.is_empty()));
+        empty += range.is_empty();
+        if (exact.is_empty()) continue;
+        if (range.high()) {
+          BOOST_TEST(Rational(range.high()->most) >= exact.high()->most);
+          BOOST_TEST(Rational(range.low()->least) <= exact.low()->most);
+        }
+        if (!range.is_certain()) continue;
+        ++certain;
+        BOOST_TEST(Rational(range.high()->least) <= exact.high()->most);
+        BOOST_TEST(Rational(range.low()->most) >= exact.low()->most);
+        BOOST_TEST((exact_high(in_a, in_b, range.high()->most, a, b) == exact.high()->most));
       }
-      if (!range.is_certain()) continue;
-      ++certain;
-      BOOST_TEST(Rational(range.high()->least) <= exact.high()->most);
-      BOOST_TEST(Rational(range.low()->most) >= exact.low()->most);
-      BOOST_TEST((exact_high(in_a, in_b, range.high()->most, a, b) == exact.high()->most));
+      told_by_rounded += Shift_range<Interval>(rounded_a, rounded_b).is_certain();
     }
   }
   BOOST_TEST(certain > 300);
   BOOST_TEST(empty > 300);
+  BOOST_TEST(told_by_rounded > 100);
 }
 
 BOOST_AUTO_TEST_CASE(what_could_overflow_is_not_bounded)

@@ -1,0 +1,124 @@
+#include "tetracone/kernel/contact/convex_depth.h"
+
+#include "tetracone/kernel/contact/rational_map.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_convex_depth)
+
+using namespace tetracone::kernel;
+namespace scenes = tetracone::verify::scenes;
+
+namespace {
+
+/// A bipyramid on the points of a circle about 0, roughly; coordinates are multiples of 1/1024.
+Convex_solid bipyramid(std::uint32_t sides, double radius, double height)
+{
+  const auto grid = [](double x) { return std::round(1024 * x) / 1024; };
+  Convex_solid solid;
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    const double angle = 2 * M_PI * k / sides;
+    solid.corners.push_back({grid(radius * std::cos(angle)), grid(radius * std::sin(angle)), 0});
+  }
+  solid.corners.push_back({0, 0, height});
+  solid.corners.push_back({0, 0, -height});
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    const std::uint32_t next = (k + 1) % sides, last = (k + sides - 1) % sides, top = sides, bottom = sides + 1;
+    solid.triangles.push_back({k, next, top});
+    solid.triangles.push_back({next, k, bottom});
+    solid.edges.push_back({{k, next}, {2 * k, 2 * k + 1}});
+    solid.edges.push_back({{k, top}, {2 * k, 2 * last}});
+    solid.edges.push_back({{k, bottom}, {2 * k + 1, 2 * last + 1}});
+  }
+  return solid;
+}
+
+/// Returns the least over all directions, in fractions.
+Rational square_of_all(const Convex_solid& a, const Pose& pose_a, const Convex_solid& b, const Pose& pose_b)
+{
+  const std::array<const Convex_solid*, 2> solid = {&a, &b};
+  std::array<std::vector<Rational_point>, 2> corners, edges;
+  std::vector<Rational_point> directions;
+  for (std::size_t body = 0; body < 2; ++body) {
+    const Rational_map map(body == 0 ? pose_a : pose_b);
+    for (const Vertex& v : solid[body]->corners) corners[body].push_back(map(v));
+    const auto step = [&](std::uint32_t from, std::uint32_t to) {
+      return difference(corners[body][to], corners[body][from]);
+    };
+    for (const auto& t : solid[body]->triangles) directions.push_back(cross(step(t[0], t[1]), step(t[0], t[2])));
+    for (const auto& e : solid[body]->edges) edges[body].push_back(step(e.corners[0], e.corners[1]));
+  }
+  for (const Rational_point& e : edges[0])
+    for (const Rational_point& f : edges[1]) directions.push_back(cross(e, f));
+  std::optional<Rational> least;
+  for (const Rational_point& n : directions) {
+    if (is_zero(n)) continue;
+    std::array<std::array<Rational, 2>, 2> range;
+    for (std::size_t body = 0; body < 2; ++body) {
+      range[body] = {dot(n, corners[body][0]), dot(n, corners[body][0])};
+      for (const Rational_point& x : corners[body]) {
+        const Rational at = dot(n, x);
+        if (at < range[body][0]) range[body][0] = at;
+        if (at > range[body][1]) range[body][1] = at;
+      }
+    }
+    for (const Rational& width : {Rational(range[1][1] - range[0][0]), Rational(range[0][1] - range[1][0])}) {
+      const Rational square = width * width / dot(n, n);
+      if (!least || square < *least) least = square;
+    }
+  }
+  return *least;
+}
+
+void check(const Convex_solid& a, const Pose& pose_a, const Convex_solid& b, const Pose& pose_b)
+{
+  const Convex_depth depth(a, pose_a, b, pose_b);
+  BOOST_TEST((depth.square() == square_of_all(a, pose_a, b, pose_b)));
+  BOOST_TEST((dot(depth.vector(), depth.vector()) == depth.square()));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_depth_is_the_least_over_all_directions)
+{
+  scenes::Random random(6);
+  for (int round = 0; round < 12; ++round) {
+    const Convex_solid a = bipyramid(3 + std::uint32_t(round) % 4, 1, scenes::real(random, 0.5, 2)),
+                       b = bipyramid(7, 1.5, scenes::real(random, 0.5, 2));
+    check(a, scenes::random_rotation(random, 4), b,
+          scenes::random_rotation(random, 4, {Rational(1, 6), Rational(round) / 60, Rational(1, 14)}));
+    std::array<double, 12> sheared = scenes::random_affine(random).entries();
+    for (const int k : {3, 7, 11}) sheared[std::size_t(k)] = 0.125;
+    check(b, scenes::random_rotation(random, 4), a, Pose(sheared));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(parallel_faces_and_edges_and_many_nearest_planes_are_no_hindrance)
+{
+  for (const std::uint32_t sides : {3u, 4u, 6u}) {
+    const Convex_solid a = bipyramid(sides, 1, 1);
+    check(a, Pose(), a, Pose());
+    check(a, Pose(), a, scenes::translation(0.25, 0, 0));
+    check(a, Pose(), a, scenes::translation(0, 0, 1.5));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_double_cannot_bound_are_compared_in_fractions)
+{
+  const Convex_solid a = bipyramid(3, 1, 0.75);
+  for (const Rational& scale : {Rational(0x1p300), Rational(0x1p-300), Rational(0x1p-1060)}) {
+    const Pose large(std::array<Rational, 12>{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, scale / 4}),
+        other(std::array<Rational, 12>{scale, 0, 0, 0, 0, 0, scale, 0, 0, -scale, 0, 0});
+    check(a, large, a, other);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
