@@ -96,8 +96,8 @@ struct Fixed_integer {
 };
 
 /// Returns the product, which always fits. A negative number is its digits, as a number without sign, less a power of
-/// two: 2^(64 n) for a, 2^(64 m) for b. The product is that of the digits, less b's digits at limb n where a is negative.
-/// Where b is, a's digits at limb m are subtracted. The product of both powers is beyond the last limb.
+/// two: 2^(64 n) for a, 2^(64 m) for b. The product is that of the digits, less b's digits at limb n where a is
+/// negative. Where b is, a's digits at limb m are subtracted. The product of both powers is beyond the last limb.
 ///
 /// A part of the digits' product is a product of two digits, a digit and a carry: at most (2^64 - 1)^2 + 2 (2^64 - 1),
 /// which is 2^128 - 1.

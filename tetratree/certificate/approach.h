@@ -14,7 +14,8 @@
 namespace tetracone::tetratree {
 
 /// Appends a point that is inside of body `holder`, or outside, and a segment from it to x. The segment meets the
-/// surface at its end x at the earliest. It leads against `along` where that is given. False where none of some is such.
+/// surface at its end x at the earliest. It leads against `along` where that is given. False where none of some is
+/// such.
 inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {

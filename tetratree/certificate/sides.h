@@ -49,8 +49,8 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
 /// Whether a point is inside of A, and of B.
 using Sides = std::array<bool, 2>;
 
-/// Appends a point for each of the sides, if some lines near a common point have them. All points between two crossings of
-/// a line are on one side. So points are found within the thinnest overlap.
+/// Appends a point for each of the sides, if some lines near a common point have them. All points between two crossings
+/// of a line are on one side. So points are found within the thinnest overlap.
 inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Sides> wanted)
 {
   constexpr int most_lines = 96, lines_of_a_size = 4;

@@ -15,9 +15,9 @@
 /// Ways of a body to its pose, which show that the interiors of solids that touch share no point.
 namespace tetracone::tetratree {
 
-/// Appends a cover over the motion on lines from `start` to the poses of `pair`, and the windings at its start. The cover
-/// leaves out the last time, at which the surfaces may touch. `inside` is the body whose shells are inside of the other one; -1
-/// where all are outside. True where it holds.
+/// Appends a cover over the motion on lines from `start` to the poses of `pair`, and the windings at its start. The
+/// cover leaves out the last time, at which the surfaces may touch. `inside` is the body whose shells are inside of the
+/// other one; -1 where all are outside. True where it holds.
 inline bool leads_free(std::string& text, const Placed_pair::Poses& start, const Placed_pair& pair, int inside)
 {
   constexpr double shortest = 0x1p-16;  // of intervals: a way that needs shorter ones is given up
