@@ -253,8 +253,8 @@ class Depth_search {
 
   /// Boxes between two exits along their centres.
   static constexpr unsigned halvings_an_exit = 6;
-  /// So many polytopes are found anew where a shorter translation was found, so that its own planes no longer cut the
-  /// ball.
+  /// Most polytopes that are found anew where a shorter translation was found. New ones leave out the planes that it
+  /// lies in.
   static constexpr std::size_t few_polytopes = 10000;
   /// Polytopes that are kept, of some 1 kB each. Without the others the bracket may stay wider.
   static constexpr std::size_t most_polytopes = 300000;
