@@ -113,6 +113,8 @@ class Certificates(unittest.TestCase):
                         self.assertAlmostEqual(float(reading.exact(value)) ** 0.5, float(line))
                     elif answer["ask"] in ("inside", "within"):
                         self.assertEqual(value, int(line))
+                    elif answer["ask"] == "motion":
+                        self.assertEqual(["1", *value] if value else ["0"], line.split())
                     elif answer["ask"] == "relation":
                         self.assertEqual(value, line.split()[0])
                     elif answer["ask"] == "exit":
