@@ -35,8 +35,9 @@ struct Some_sides {
   int decided() const { return is_decided[0] + is_decided[1] + is_decided[2]; }
 };
 
-/// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points. It is
-/// inlined: its result would be packed into registers through the stack, which stalls on store forwarding.
+/// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points.
+///
+/// It is inlined: its result would be packed into registers through the stack, which stalls on store forwarding.
 [[gnu::always_inline]] inline Some_sides filtered_sides(const Corners<Adaptive>& triangle,
                                                         const Corners<Adaptive>& points)
 {

@@ -74,8 +74,8 @@ class Separating_direction {
     return gap > 0 && gap <= std::numeric_limits<double>::max() ? gap : 0;
   }
 
-  /// Of the last search that found no plane: the direction, from A to B, along which the bodies overlap least, and
-  /// whether that is little.
+  /// Return what the last search tells where it found no plane: the direction, from A to B, along which the bodies
+  /// overlap least, and whether that is little.
   std::array<double, 3> least_overlapping() const
   {
     return {least_overlapping_[0], least_overlapping_[1], least_overlapping_[2]};
