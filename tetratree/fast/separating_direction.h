@@ -74,12 +74,12 @@ class Separating_direction {
     return gap > 0 && gap <= std::numeric_limits<double>::max() ? gap : 0;
   }
 
-  /// Return what the last search tells where it found no plane: the direction, from A to B, along which the bodies
-  /// overlap least, and whether that is little.
+  /// Returns the direction, from A to B, along which the bodies overlap least. Requires a search that found no plane.
   std::array<double, 3> least_overlapping() const
   {
     return {least_overlapping_[0], least_overlapping_[1], least_overlapping_[2]};
   }
+  /// True when that overlap is small. Same requirement.
   bool was_near() const { return was_near_; }
 
   std::size_t bytes() const { return a_.table.bytes() + b_.table.bytes(); }
