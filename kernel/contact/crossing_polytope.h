@@ -51,7 +51,7 @@ class Crossing_polytope {
     const Corner_errors errors(a.errors, b.errors);
     const double slack = errors.off_step() + few_roundings * most;  // also for a box's own ends
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto range = [k](const Rounded_piece& piece) {
+      const auto range_of = [k](const Rounded_piece& piece) {
         std::array<double, 2> range = {piece.corner[0][k], piece.corner[0][k]};
         for (int i = 1; i < piece.count; ++i) {
           range[0] = minimum(range[0], piece.corner[i][k]);
@@ -59,7 +59,7 @@ class Crossing_polytope {
         }
         return range;
       };
-      const auto of_a = range(a), of_b = range(b);
+      const auto of_a = range_of(a), of_b = range_of(b);
       low_[k] = -(of_a[1] - of_b[0] + slack);
       high_[k] = of_b[1] - of_a[0] + slack;
     }

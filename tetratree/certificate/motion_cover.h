@@ -32,6 +32,7 @@ class Motion_cover {
   {
     const std::vector<Placed_pair*> placed = moving_->over(from, to);
     std::vector<kernel::Hull_pair> pairs;
+    pairs.reserve(placed.size());
     for (Placed_pair* pair : placed) pairs.push_back({pair->body[0].hull(a), pair->body[1].hull(b)});
     const bool may_touch = may_touch_at_end_ && to == end_;
     const auto holds = [&](const kernel::Exact_vector& m) {

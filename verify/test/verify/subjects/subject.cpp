@@ -119,9 +119,9 @@ BOOST_AUTO_TEST_CASE(three_kernels_are_exact)
 
 BOOST_AUTO_TEST_CASE(a_tolerance_is_its_own_subjects_and_nobody_elses)
 {
-  const auto plain = prepare(*Subject::parse("double-eps=0"), unit_cube(), unit_cube());
-  const auto coarse = prepare(*Subject::parse("double-eps=0.25"), unit_cube(), unit_cube());
-  const auto in_double = prepare(*Subject::parse("double"), unit_cube(), unit_cube());
+  const auto plain = prepare(*Subject::parse("double-eps=0"), scenes::unit_cube(), scenes::unit_cube());
+  const auto coarse = prepare(*Subject::parse("double-eps=0.25"), scenes::unit_cube(), scenes::unit_cube());
+  const auto in_double = prepare(*Subject::parse("double"), scenes::unit_cube(), scenes::unit_cube());
   Random random(24);
   int differ = 0;
   for (int round = 0; round < 20; ++round) {
