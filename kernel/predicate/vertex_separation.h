@@ -6,6 +6,7 @@
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 #include "tetracone/kernel/predicate/adaptive.h"
+#include "tetracone/kernel/predicate/signs.h"
 
 #include <array>
 #include <cmath>

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <random>
 
 BOOST_AUTO_TEST_SUITE(test_fixed_integer)
@@ -136,7 +137,8 @@ BOOST_AUTO_TEST_CASE(doubles_are_integers_times_one_power_of_2_or_too_wide)
   BOOST_TEST(wide > 500);
   BOOST_TEST(zeros > 100);
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
-    BOOST_TEST((fixed_numbers<3>({1, bad, 0}).bits == Binary_number<1>::too_wide));
+    for (const double beside : {0.0, 1.0, std::numeric_limits<double>::max()})
+      BOOST_TEST((fixed_numbers<3>({beside, bad, 0}).bits == Binary_number<1>::too_wide));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
