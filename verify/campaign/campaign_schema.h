@@ -27,8 +27,8 @@ namespace tetracone::verify {
 ///    the number of right statements about the overlap.
 ///  - rounded: answers of subjects that hold their input as floats, judged by the truth of the rounded input too. Bins
 ///    are of ulps of the input. An input without a float is not counted. changed: that truth is another one; wrong: of
-///    the input; false positives and negatives: of the rounded one. excused: wrong of the input and right of the rounded
-///    one.
+///    the input; false positives and negatives: of the rounded one. excused: wrong of the input and right of the
+///    rounded one.
 ///  - truth: cases by question, with the number of positive answers and the number also known by construction.
 ///    Each is the answer of both truths. At the level 'motions' the second truth does not decide all; there
 ///    by_construction counts those that it decides. At the level 'relations' the questions are the eight relations. The
