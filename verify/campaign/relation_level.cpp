@@ -29,7 +29,8 @@ bool is_root_sum(const std::array<double, 2>& bounds, const std::vector<kernel::
 {
   const auto compared = [&](double bound, mpfr_rnd_t rounding) {
     mpfr_t sum, root;
-    mpfr_inits2(500, sum, root, mpfr_ptr());
+    mpfr_init2(sum, 500);
+    mpfr_init2(root, 500);
     mpfr_set_zero(sum, 1);
     for (const kernel::Rational& square : squares) {
       mpfr_set_q(root, square.get_mpq_t(), rounding);
@@ -37,7 +38,8 @@ bool is_root_sum(const std::array<double, 2>& bounds, const std::vector<kernel::
       mpfr_add(sum, sum, root, rounding);
     }
     const int sign = mpfr_cmp_d(sum, bound);
-    mpfr_clears(sum, root, mpfr_ptr());
+    mpfr_clear(sum);
+    mpfr_clear(root);
     return sign;
   };
   return compared(bounds[0], MPFR_RNDU) >= 0 && compared(bounds[1], MPFR_RNDD) <= 0 &&
