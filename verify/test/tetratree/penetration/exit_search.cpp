@@ -103,8 +103,8 @@ BOOST_AUTO_TEST_CASE(a_comb_is_met_again_at_each_tooth)
 
 BOOST_AUTO_TEST_CASE(gaps_between_turned_teeth_are_not_skipped)
 {
-  // Pointed teeth, so that faces go through each other, and rounded numbers tell where. The closest are met at once, the
-  // next after a gap that boxes do not see.
+  // Pointed teeth, so that faces go through each other, and rounded numbers tell where. The closest are met at once,
+  // the next after a gap that boxes do not see.
   const auto tooth_at = [](double x) {
     return scenes::tetrahedron({x, 0, 0}, {x + 1, 0.25, 0.125}, {x + 0.25, 1, 0}, {x + 0.5, 0.25, 1});
   };
