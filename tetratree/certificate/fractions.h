@@ -34,22 +34,22 @@ inline kernel::Rational longest_part(const kernel::Rational_point& v)
   return longest;
 }
 
+inline mpz_class common_denominator(const kernel::Rational_point& x)
+{
+  return lcm(lcm(x[0].get_den(), x[1].get_den()), x[2].get_den());
+}
+
 /// Returns the direction in integers without a common factor.
 inline kernel::Rational_point in_lowest_terms(kernel::Rational_point m)
 {
-  mpz_class common = 1, factor = 0;
-  for (const kernel::Rational& x : m) common = lcm(common, x.get_den());
+  const mpz_class common = common_denominator(m);
+  mpz_class factor = 0;
   for (kernel::Rational& x : m) {
     x *= common;
     factor = gcd(factor, x.get_num());
   }
   for (kernel::Rational& x : m) x /= factor;
   return m;
-}
-
-inline mpz_class common_denominator(const kernel::Rational_point& x)
-{
-  return lcm(lcm(x[0].get_den(), x[1].get_den()), x[2].get_den());
 }
 
 /// Returns the number. Requires an integer, or a binary fraction.

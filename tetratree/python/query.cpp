@@ -19,8 +19,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -453,80 +455,73 @@ std::array<std::string, 3> direction_of(const py::object& direction)
   return {exact_text(given[0]), exact_text(given[1]), exact_text(given[2])};
 }
 
-py::dict overlap_columns(std::span<const Overlap> found, bool is_one)
+namespace {
+
+/// Returns a row of doubles for each element: `values_of` returns an array. Rows of one double have no axis of their
+/// own.
+template <class Found, class Values_of>
+py::array_t<double> doubles(std::span<const Found> found, const Values_of& values_of)
+{
+  std::vector<py::ssize_t> shape = {py::ssize_t(found.size())};
+  if (const auto width = values_of(Found()).size(); width != 1) shape.push_back(py::ssize_t(width));
+  py::array_t<double> array(shape);
+  double* at = array.mutable_data();
+  for (const Found& each : found)
+    for (const double x : values_of(each)) *at++ = x;
+  return array;
+}
+
+/// Returns a fraction for each element, or a tuple of three. `text_of` returns one text, or three.
+template <class Found, class Text_of>
+py::list fractions(std::span<const Found> found, const Text_of& text_of)
 {
   const auto fraction = py::module_::import("fractions").attr("Fraction");
-  const auto fractions = [&](const std::array<std::string, 3>& x) {
-    return py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2]));
-  };
-  const auto doubles = [&](const auto& values_of) {
-    const auto width = py::ssize_t(values_of(Overlap()).size());
-    py::array_t<double> array(width == 1 ? std::vector<py::ssize_t>{py::ssize_t(found.size())}
-                                         : std::vector<py::ssize_t>{py::ssize_t(found.size()), width});
-    double* at = array.mutable_data();
-    for (const Overlap& each : found)
-      for (const double x : values_of(each)) *at++ = x;
-    return array;
-  };
-  py::list exact_volumes, exact_centroids, exact_vectors;
-  for (const Overlap& each : found) {
-    exact_volumes.append(fraction(each.exact_volume()));
-    exact_centroids.append(fractions(each.exact_centroid()));
-    exact_vectors.append(fractions(each.exact_contact_vector()));
+  py::list list;
+  for (const Found& each : found) {
+    const auto text = text_of(each);
+    if constexpr (std::is_same_v<decltype(text), const std::string>)
+      list.append(fraction(text));
+    else
+      list.append(py::make_tuple(fraction(text[0]), fraction(text[1]), fraction(text[2])));
   }
+  return list;
+}
+
+}  // namespace
+
+py::dict overlap_columns(std::span<const Overlap> found, bool is_one)
+{
   py::dict columns;
-  columns["volume"] = doubles([](const Overlap& each) { return std::array{each.volume}; });
-  columns["centroid"] = doubles([](const Overlap& each) { return each.centroid; });
-  columns["contact_area"] = doubles([](const Overlap& each) { return each.contact_area; });
-  columns["contact_vector"] = doubles([](const Overlap& each) { return each.contact_vector; });
-  columns["exact_volume"] = exact_volumes;
-  columns["exact_centroid"] = exact_centroids;
-  columns["exact_contact_vector"] = exact_vectors;
+  columns["volume"] = doubles(found, [](const Overlap& each) { return std::array{each.volume}; });
+  columns["centroid"] = doubles(found, [](const Overlap& each) { return each.centroid; });
+  columns["contact_area"] = doubles(found, [](const Overlap& each) { return each.contact_area; });
+  columns["contact_vector"] = doubles(found, [](const Overlap& each) { return each.contact_vector; });
+  columns["exact_volume"] = fractions(found, [](const Overlap& each) { return each.exact_volume(); });
+  columns["exact_centroid"] = fractions(found, [](const Overlap& each) { return each.exact_centroid(); });
+  columns["exact_contact_vector"] = fractions(found, [](const Overlap& each) { return each.exact_contact_vector(); });
   return is_one ? single_values(columns) : columns;
 }
 
 py::dict exit_columns(std::span<const Exits> found, bool is_one)
 {
-  const auto fraction = py::module_::import("fractions").attr("Fraction");
-  py::array_t<double> first(py::ssize_t(found.size())), last(py::ssize_t(found.size()));
-  py::list exact_first, exact_last;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    first.mutable_data()[k] = found[k].first;
-    last.mutable_data()[k] = found[k].last;
-    exact_first.append(fraction(found[k].exact_first));
-    exact_last.append(fraction(found[k].exact_last));
-  }
   py::dict columns;
-  columns["first"] = first;
-  columns["last"] = last;
-  columns["exact_first"] = exact_first;
-  columns["exact_last"] = exact_last;
+  columns["first"] = doubles(found, [](const Exits& each) { return std::array{each.first}; });
+  columns["last"] = doubles(found, [](const Exits& each) { return std::array{each.last}; });
+  columns["exact_first"] = fractions(found, [](const Exits& each) { return each.exact_first; });
+  columns["exact_last"] = fractions(found, [](const Exits& each) { return each.exact_last; });
   return is_one ? single_values(columns) : columns;
 }
 
 py::dict depth_columns(std::span<const Depth> found, bool is_one)
 {
-  const auto fraction = py::module_::import("fractions").attr("Fraction");
-  const auto count = py::ssize_t(found.size());
-  py::array_t<double> bounds(std::vector<py::ssize_t>{count, 2}), vectors(std::vector<py::ssize_t>{count, 3});
-  py::array_t<bool> exact(count);
-  py::list squares, exact_vectors;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const Depth& each = found[k];
-    bounds.mutable_data()[2 * k] = each.low;
-    bounds.mutable_data()[2 * k + 1] = each.high;
-    std::copy(each.vector.begin(), each.vector.end(), vectors.mutable_data() + 3 * k);
-    exact.mutable_data()[k] = each.is_exact;
-    squares.append(fraction(each.exact_square));
-    const auto& x = each.exact_vector;
-    exact_vectors.append(py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2])));
-  }
+  py::array_t<bool> is_exact(py::ssize_t(found.size()));
+  std::ranges::transform(found, is_exact.mutable_data(), &Depth::is_exact);
   py::dict columns;
-  columns["bounds"] = bounds;
-  columns["vector"] = vectors;
-  columns["is_exact"] = exact;
-  columns["exact_square"] = squares;
-  columns["exact_vector"] = exact_vectors;
+  columns["bounds"] = doubles(found, [](const Depth& each) { return std::array{each.low, each.high}; });
+  columns["vector"] = doubles(found, [](const Depth& each) { return each.vector; });
+  columns["is_exact"] = is_exact;
+  columns["exact_square"] = fractions(found, [](const Depth& each) { return each.exact_square; });
+  columns["exact_vector"] = fractions(found, [](const Depth& each) { return each.exact_vector; });
   return is_one ? single_values(columns) : columns;
 }
 

@@ -122,8 +122,8 @@ BOOST_AUTO_TEST_CASE(gaps_between_turned_teeth_are_not_skipped)
     Query query(tooth, Body(comb));
     const Exits all = query.exits(Pose(), Pose(), along);
     // Where no other tooth is met when the first is left, it is left as if it were alone.
-    const bool is_gap = query.solid_relation_alone(moved, unmoved) == tetracone::Solid_relation::disjoint ||
-                        query.solid_relation_alone(moved, unmoved) == tetracone::Solid_relation::meet;
+    const auto relation = query.solid_relation_alone(moved, unmoved);
+    const bool is_gap = relation == tetracone::Solid_relation::disjoint || relation == tetracone::Solid_relation::meet;
     gaps += is_gap;
     BOOST_TEST((all.exact_first == alone.exact_first) == is_gap, step);
     BOOST_TEST(all.last > 3 * step);
