@@ -38,6 +38,20 @@ struct View_box {
     return true;
   }
 
+  /// False when the parts surely do not meet for any translation of this one by centre + x with |x_k| <= half[k].
+  bool may_meet(const View_box& other, const std::array<double, 3>& centre, const std::array<double, 3>& half) const
+  {
+    const double xy = half[0] + half[1];
+    const std::array<double, 5> middle = {centre[0], centre[1], centre[0] + centre[1], centre[0] - centre[1],
+                                          centre[2]},
+                                reach = {half[0], half[1], xy, xy, half[2]};
+    for (std::size_t k = 0; k < low.size(); ++k) {
+      const double most = reach[k] + (std::abs(middle[k]) + reach[k]) * few_roundings;
+      if (low[k] + middle[k] - most > other.high[k] || high[k] + middle[k] + most < other.low[k]) return false;
+    }
+    return true;
+  }
+
   double size() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[height] - low[height]); }
 };
 

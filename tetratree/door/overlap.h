@@ -49,8 +49,8 @@ struct Exits {
 
 /// How narrow a bracket of a depth is asked for, and for how much work.
 struct Depth_options {
-  double relative = 1e-9;      ///< the search ends at this width over the upper end
-  std::size_t budget = 20000;  ///< the search ends after so many boxes of translations, whatever the width
+  double relative = 1e-9;       ///< the search ends at this width over the upper end
+  std::size_t budget = 100000;  ///< the search ends after so many boxes of translations, whatever the width
 };
 
 /// A bracket of the length of the least translation of A after which the interiors of two solids share no point. The

@@ -5,6 +5,7 @@
 #include "tetracone/kernel/contact/crossing_polytope.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/nearest_root.h"
+#include "tetracone/tetratree/penetration/inner_balls.h"
 #include "tetracone/tetratree/penetration/seen_solid.h"
 
 #include <algorithm>
@@ -13,7 +14,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -29,8 +32,8 @@ struct Depth_bracket {
 
 /// How narrow a bracket is asked for, and for how much work.
 struct Depth_limits {
-  double relative = 1e-9;          ///< the bracket's width over its upper end at which the search ends
-  std::size_t most_boxes = 20000;  ///< boxes of translations that are looked at
+  double relative = 1e-9;           ///< the bracket's width over its upper end at which the search ends
+  std::size_t most_boxes = 100000;  ///< boxes of translations that are looked at
 };
 
 /// The least translation of A after which the interiors of A and B share no point.
@@ -39,6 +42,7 @@ struct Depth_limits {
 /// not in P, the shortest of which is the upper bound. The lower bound comes from boxes of translations, nearest to 0
 /// first. A box is done where all of its translations that are shorter than the upper bound are in P:
 ///
+/// - A ball inside A meets a ball inside B for all translations of the box (`Translation_balls`).
 /// - Two pieces, as of `Seen_solid`, cross for all translations inside their `Crossing_polytope`; so these are in P.
 /// - Where no two pieces meet for any translation of the box, the surfaces do not meet. So all of its translations are
 ///   in P, or none is; the relation at the centre tells.
@@ -48,7 +52,10 @@ struct Depth_limits {
 /// half-spaces are compared exactly with the ball of all shorter translations.
 class Depth_search {
  public:
-  Depth_search(Seen_solid a, Seen_solid b) : solid_{std::move(a), std::move(b)} {}
+  /// `inner` has balls inside each body, in its own coordinates; without any the search takes longer.
+  Depth_search(Seen_solid a, Seen_solid b, std::array<std::vector<Ball>, 2> inner)
+      : solid_{std::move(a), std::move(b)}, inner_(std::move(inner))
+  {}
 
   /// What an exit along a direction tells.
   struct Exit {
@@ -73,8 +80,7 @@ class Depth_search {
         leave(axis, exit);
       }
     boxes_left_ = limits.most_boxes;
-    while (search(exit, meet, limits)) {
-    }
+    search(seen_balls(inner_[0], map_a), seen_balls(inner_[1], map_b), exit, meet, limits);
     found_.least = kernel::minimum(found_.least, kernel::nearest_root(found_.square));
     return found_;
   }
@@ -82,13 +88,24 @@ class Depth_search {
  private:
   using Polytope = kernel::Crossing_polytope;
   using Box = kernel::Translation_box;
-  using Near = std::vector<std::uint32_t>;  // numbers of polytopes
+
+  /// All that may meet for some translations of a box: pairs of boxes that are not opened, and numbers of polytopes.
+  struct Near {
+    std::vector<Box_ids> pairs;
+    std::vector<std::uint32_t> polytopes;
+  };
 
   struct Open_box {
     double least;
     unsigned halvings;
     Box box;
-    std::shared_ptr<const Near> near;  // all polytopes that may meet the box
+    std::shared_ptr<const Near> near;
+  };
+
+  struct Kept_polytope {
+    Polytope polytope;
+    Seen_piece *a, *b;
+    unsigned round;  // of the ball's radius, for which it was made
   };
 
   /// What the exact pieces say of an axis.
@@ -148,32 +165,33 @@ class Depth_search {
     return d;
   }
 
-  /// Searches the ball of all translations that are shorter than the known one. Returns true where it has found a
-  /// shorter one, and the ball is to be searched anew.
+  /// Searches the ball of all translations that are shorter than the known one.
   template <class Leave, class Meet>
-  bool search(const Leave& exit, const Meet& meet, const Depth_limits& limits)
+  void search(const std::vector<Ball>& in_a, const std::vector<Ball>& in_b, const Leave& exit, const Meet& meet,
+              const Depth_limits& limits)
   {
-    double radius = std::nextafter(kernel::nearest_root(found_.square), HUGE_VAL);
-    if (!(radius >= 0x1p-200 && radius <= 0x1p200)) return false;  // beyond what the boxes' numbers can bound
-    const double most = std::ldexp(1.0, std::ilogb(radius) + 1);
+    double radius = set_radius();
+    if (!(radius >= 0x1p-200 && radius <= 0x1p200)) return;  // beyond what the boxes' numbers can bound
+    most_ = std::ldexp(1.0, std::ilogb(radius) + 1);
     polytopes_.clear();
-    find_polytopes(radius, most);
-    auto all = std::make_shared<Near>(polytopes_.size());
-    for (std::uint32_t k = 0; k < all->size(); ++k) (*all)[k] = k;
-    std::vector<Open_box> open = {{0, 0, {{0, 0, 0}, {most, most, most}}, std::move(all)}};
+    by_leaves_.clear();
+    balls_ = Translation_balls(in_a, in_b, most_);
+    auto all = std::make_shared<Near>();
+    all->pairs = {{Box_id(), Box_id()}};
+    std::vector<Open_box> open = {{0, 0, {{0, 0, 0}, {most_, most_, most_}}, std::move(all)}};
     const auto is_later = [](const Open_box& x, const Open_box& y) { return x.least > y.least; };
     while (!open.empty()) {
       std::ranges::pop_heap(open, is_later);
       const Open_box next = std::move(open.back());
       open.pop_back();
       found_.least = kernel::maximum(found_.least, next.least);
-      if (next.least >= radius * (1 - limits.relative) || boxes_left_ == 0) return false;
+      if (next.least >= radius * (1 - limits.relative) || boxes_left_ == 0) return;
       --boxes_left_;
       auto near = std::make_shared<Near>();
       if (is_done(next, *near, meet)) continue;
-      if (next.halvings % halvings_an_exit == 0 && next.least > 0 && leave(centre(next.box), exit)) {
-        if (polytopes_.size() <= few_polytopes) return true;
-        radius = std::nextafter(kernel::nearest_root(found_.square), HUGE_VAL);
+      if (next.halvings % halvings_a_question == 0 && next.least > 0) {
+        const kernel::Rational_point v = centre(next.box);
+        if (kernel::dot(v, v) < found_.square && !meet(v) && leave(v, exit)) radius = set_radius();
       }
       const auto axis = std::size_t(std::ranges::max_element(next.box.half) - next.box.half.begin());
       for (const int side : {-1, 1}) {
@@ -188,20 +206,51 @@ class Depth_search {
     }
     found_.least = kernel::nearest_root(found_.square);
     found_.is_exact = true;
-    return false;
   }
 
-  /// True when all of the box's translations that are shorter than the known one are in P. Else `near` has the
-  /// polytopes that may meet the box.
+  /// True when all of the box's translations that are shorter than the known one are in P. Else `near` has what may
+  /// meet for some of them.
   template <class Meet>
   bool is_done(const Open_box& open, Near& near, const Meet& meet)
   {
-    for (const std::uint32_t k : *open.near) {
-      if (!polytopes_[k].is_near(open.box)) continue;
-      if (polytopes_[k].holds(open.box)) return true;
-      if (polytopes_[k].may_meet(open.box)) near.push_back(k);
+    if (balls_.hold(open.box)) return true;
+    const auto is_held = [&](std::uint32_t k) {
+      Polytope& polytope = renewed(k);
+      if (polytope.is_beyond() || !polytope.is_near(open.box)) return false;
+      if (polytope.holds(open.box)) return true;
+      if (polytope.may_meet(open.box)) near.polytopes.push_back(k);
+      return false;
+    };
+    for (const std::uint32_t k : open.near->polytopes)
+      if (is_held(k)) return true;
+    const double size = pairs_a_box * 2 * (open.box.half[0] + open.box.half[1] + open.box.half[2]);
+    pairs_ = open.near->pairs;
+    while (!pairs_.empty()) {
+      const Box_ids pair = pairs_.back();
+      pairs_.pop_back();
+      const kernel::View_box &a = solid_[0].box(pair[0]), &b = solid_[1].box(pair[1]);
+      if (!a.may_meet(b, open.box.centre, open.box.half)) continue;
+      if (a.size() + b.size() < size) {
+        near.pairs.push_back(pair);
+        continue;
+      }
+      const std::array<bool, 2> is_leaf = {solid_[0].tree().is_leaf(pair[0]), solid_[1].tree().is_leaf(pair[1])};
+      if (is_leaf[0] && is_leaf[1]) {
+        const auto numbers = polytopes_of(pair);
+        if (!numbers) near.pairs.push_back(pair);
+        for (std::uint32_t k = numbers ? numbers->first : 0; numbers && k < numbers->second; ++k)
+          if (is_held(k)) return true;
+        continue;
+      }
+      const bool opens_b = is_leaf[0] || (!is_leaf[1] && b.size() > a.size());
+      const Bvh8& tree = solid_[opens_b].tree();
+      const Index node = tree.child(pair[opens_b]);
+      for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
+        pairs_.push_back(pair);
+        pairs_.back()[opens_b] = {node, lane};
+      }
     }
-    return near.empty() && are_all_known_ && meet(centre(open.box));
+    return near.pairs.empty() && near.polytopes.empty() && meet(centre(open.box));
   }
 
   static kernel::Rational_point centre(const Box& box)
@@ -209,60 +258,66 @@ class Depth_search {
     return {kernel::Rational(box.centre[0]), kernel::Rational(box.centre[1]), kernel::Rational(box.centre[2])};
   }
 
-  /// Finds the polytopes of all pairs of pieces that have a translation in the ball.
-  void find_polytopes(double radius, double most)
+  /// Sets the radius of the ball to an upper bound of the known translation's length. Returns it.
+  double set_radius()
   {
-    are_all_known_ = true;
-    std::vector<Box_ids> pairs = {{Box_id(), Box_id()}};
-    while (!pairs.empty()) {
-      const Box_ids pair = pairs.back();
-      pairs.pop_back();
-      if (!solid_[0].box(pair[0]).is_within(solid_[1].box(pair[1]), radius)) continue;
-      if (polytopes_.size() >= most_polytopes) {
-        are_all_known_ = false;
-        return;
-      }
-      const std::array<bool, 2> is_leaf = {solid_[0].tree().is_leaf(pair[0]), solid_[1].tree().is_leaf(pair[1])};
-      if (is_leaf[0] && is_leaf[1]) {
-        add_polytopes(pair, radius, most);
-        continue;
-      }
-      const bool opens_b = is_leaf[0] || (!is_leaf[1] && solid_[1].box(pair[1]).size() > solid_[0].box(pair[0]).size());
-      const Bvh8& tree = solid_[opens_b].tree();
-      const Index node = tree.child(pair[opens_b]);
-      for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
-        pairs.push_back(pair);
-        pairs.back()[opens_b] = {node, lane};
-      }
-    }
+    ++round_;
+    return radius_ = std::nextafter(kernel::nearest_root(found_.square), HUGE_VAL);
   }
 
-  void add_polytopes(const Box_ids& box, double radius, double most)
+  /// Returns the numbers of the polytopes of two leaves: from the first to before the last. Nothing where there is no
+  /// room for more.
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> polytopes_of(const Box_ids& box)
   {
+    const std::uint64_t leaves = std::uint64_t(box[0].number()) << 32 | box[1].number();
+    if (const auto at = by_leaves_.find(leaves); at != by_leaves_.end()) return at->second;
+    if (polytopes_.size() >= most_polytopes) return std::nullopt;
+    const auto first = std::uint32_t(polytopes_.size());
     const Bvh8 &in_a = solid_[0].tree(), &in_b = solid_[1].tree();
     for (Index i = 0; i < in_a.leaf_count(box[0]); ++i)
       for (Index j = 0; j < in_b.leaf_count(box[1]); ++j)
         for (Seen_piece& a : solid_[0].pieces(in_a.element(box[0], i).face))
           for (Seen_piece& b : solid_[1].pieces(in_b.element(box[1], j).face)) {
-            const CGAL::Protect_FPU_rounding<true> upward;
-            const Polytope polytope(a.rounded, b.rounded, a.is_bounded && b.is_bounded, radius, most,
-                                    Exactly{this, &a, &b});
-            if (!polytope.is_beyond()) polytopes_.push_back(polytope);
+            const Polytope polytope = polytope_of(a, b);
+            if (!polytope.is_beyond()) polytopes_.push_back({polytope, &a, &b, round_});
           }
+    return by_leaves_[leaves] = {first, std::uint32_t(polytopes_.size())};
   }
 
-  /// Boxes between two exits along their centres.
-  static constexpr unsigned halvings_an_exit = 6;
-  /// Most polytopes that are found anew where a shorter translation was found. New ones leave out the planes that it
-  /// lies in.
-  static constexpr std::size_t few_polytopes = 10000;
+  Polytope polytope_of(Seen_piece& a, Seen_piece& b)
+  {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    return Polytope(a.rounded, b.rounded, a.is_bounded && b.is_bounded, radius_, most_, Exactly{this, &a, &b});
+  }
+
+  /// Returns a polytope, made anew after the ball has shrunk: a new one leaves out the planes that no longer cut it.
+  Polytope& renewed(std::uint32_t k)
+  {
+    Kept_polytope& kept = polytopes_[k];
+    if (kept.round != round_) {
+      kept.polytope = polytope_of(*kept.a, *kept.b);
+      kept.round = round_;
+    }
+    return kept.polytope;
+  }
+
+  /// Halvings of a box between two questions whether its centre is in P.
+  static constexpr unsigned halvings_a_question = 3;
+  /// A pair of boxes is opened while their size together is at least this multiple of the box of translations. The
+  /// polytopes of smaller ones cannot hold it.
+  static constexpr double pairs_a_box = 2;
   /// Polytopes that are kept, of some 1 kB each. Without the others the bracket may stay wider.
   static constexpr std::size_t most_polytopes = 300000;
 
   std::array<Seen_solid, 2> solid_;
-  std::vector<Polytope> polytopes_;
-  std::set<kernel::Rational_point> tried_;  // directions
-  bool are_all_known_ = true;
+  std::array<std::vector<Ball>, 2> inner_;
+  Translation_balls balls_;
+  std::vector<Kept_polytope> polytopes_;
+  std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> by_leaves_;  // numbers of polytopes
+  std::vector<Box_ids> pairs_;                                                            // to be opened
+  std::set<kernel::Rational_point> tried_;                                                // directions
+  double radius_ = 0, most_ = 0;
+  unsigned round_ = 0;
   Depth_bracket found_;
   std::size_t boxes_left_ = 0;
 };

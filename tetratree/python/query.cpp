@@ -625,8 +625,8 @@ they first share no point, and `last`, from where on they never do again, and of
 >>> tetracone.Query(a, a).exits([3, 0, 0], [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_first"]
 Fraction(1, 2)
 )")
-      .def("depth", &depth, poses_b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 20000, poses_a,
-           R"(depth(poses_b, *, relative=1e-9, budget=20000, poses_a=None)
+      .def("depth", &depth, poses_b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 100000, poses_a,
+           R"(depth(poses_b, *, relative=1e-9, budget=100000, poses_a=None)
 
 The least translation of a for the interiors of the solids to part, in a bracket that is never wrong: a dict of arrays,
 `bounds` (n, 2) of its length, `vector` (n, 3), a translation of the upper length, and `is_exact` (n,), whether it is

@@ -353,8 +353,9 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
             });
             return depth_columns({&found, 1}, true);
           },
-          a, b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 20000,
-          "depth(a, b, *, relative=1e-9, budget=20000)\n\nThe least translation of a placed body for it and another to "
+          a, b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 100000,
+          "depth(a, b, *, relative=1e-9, budget=100000)\n\nThe least translation of a placed body for it and another "
+          "to "
           "part: as "
           "`Query.depth` says of one pose of each.")
       .def(

@@ -115,7 +115,12 @@ class Bvh8_relation_solver : public Relation_solver {
       const kernel::Convex_depth least((*convex_)[0], pose_a, (*convex_)[1], pose_b);
       return told({least.vector(), least.square(), 0, true});
     }
-    if (!depth_search_) depth_search_.emplace(seen(body_[0]->by_triangles()), seen(body_[1]->by_triangles()));
+    if (!depth_search_) {
+      const Body_data &a = body_[0]->by_triangles(), &b = body_[1]->by_triangles();
+      depth_search_.emplace(seen(a), seen(b),
+                            std::array{tetratree::inner_balls(a.bvh8(), a.point_locator()),
+                                       tetratree::inner_balls(b.bvh8(), b.point_locator())});
+    }
     const auto exit = [&](const kernel::Rational_point& direction) {
       const kernel::Direction_view view(direction);
       const kernel::Rational first = exit_heights(pose_a, pose_b, direction, view).first / view.height();

@@ -79,4 +79,21 @@ BOOST_AUTO_TEST_CASE(what_is_too_large_is_not_bounded)
   }
 }
 
+BOOST_AUTO_TEST_CASE(parts_meet_for_a_translation_where_their_bounds_do)
+{
+  const View_box a{{0, 0, 0, -1, 0}, {1, 1, 2, 1, 1}}, b{{4, 0, 4, 3, 0}, {5, 1, 6, 5, 1}};
+  BOOST_TEST(a.may_meet(b, {4, 0, 0}, {0, 0, 0}));
+  BOOST_TEST(a.may_meet(b, {3, 0, 0}, {0, 0, 0}));
+  BOOST_TEST(!a.may_meet(b, {2.5, 0, 0}, {0, 0, 0}));
+  BOOST_TEST(a.may_meet(b, {2.5, 0, 0}, {0.5, 0, 0}));
+  BOOST_TEST(!a.may_meet(b, {5.5, 0, 0}, {0.25, 0, 0}));
+  BOOST_TEST(!a.may_meet(b, {4, 0, -1.5}, {0, 0, 0.25}));
+  BOOST_TEST(a.may_meet(b, {4, 0, -1.5}, {0, 0, 0.5}));
+  // The diagonals tell more than the sides.
+  const View_box long_a{{0, 0, 0, -0.1, 0}, {1, 1, 2, 0.1, 1}}, long_b{{0, 0, 0, 0.9, 0}, {1, 1, 2, 1.1, 1}};
+  BOOST_TEST(!long_a.may_meet(long_b, {0, 0, 0}, {0.25, 0.25, 0}));
+  BOOST_TEST(long_a.may_meet(long_b, {0, 0, 0}, {0.5, 0.5, 0}));
+  BOOST_TEST(long_a.may_meet(long_b, {0.5, -0.5, 0}, {0, 0, 0}));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

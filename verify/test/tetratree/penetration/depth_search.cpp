@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_depth_search)
 
@@ -123,6 +124,30 @@ BOOST_AUTO_TEST_CASE(a_small_budget_gives_a_wider_bracket_that_holds_the_truth)
     const Depth wide = checked(query, aside, Pose(), {1e-6, budget});
     BOOST_TEST(wide.low <= narrow.high);
     BOOST_TEST(wide.high >= narrow.low);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(deep_overlaps_have_narrow_brackets)
+{
+  scenes::Random random(4);
+  const Polyhedron a = scenes::blob(random, 3, 0.75, 1), b = scenes::blob(random, 3, 0.75, 1);
+  Query query{Body(a), Body(b)};
+  for (const auto& [scale, shift] : {std::pair(Rational(1), Rational(1, 3)), {Rational(1, 2), Rational(1, 5)}}) {
+    Pose pose = scenes::random_rotation(random, 4, {shift, shift / 2, -shift});
+    std::array<Rational, 12> rows;
+    for (int k = 0; k < 12; ++k) rows[std::size_t(k)] = k % 4 == 3 ? pose.exact(k) : Rational(pose.exact(k) * scale);
+    const Depth depth = checked(query, Pose(rows), Pose(), {1e-3, 20000});
+    BOOST_TEST(depth.low >= depth.high * 0.998);
+    // The solids meet after every shorter translation.
+    for (int round = 0; round < 60; ++round) {
+      std::array<double, 3> d = scenes::real_vertex(random, 1);
+      const double length = std::hypot(d[0], d[1], d[2]),
+                   share = scenes::real(random, 0.5, 0.9999) * depth.low / length;
+      const auto [moved, unmoved] =
+          tetracone::kernel::moved_along(Pose(rows), Pose(), {d[0], d[1], d[2]}, Rational(share));
+      const auto relation = query.solid_relation_alone(moved, unmoved);
+      BOOST_TEST((relation != tetracone::Solid_relation::meet && relation != tetracone::Solid_relation::disjoint));
+    }
   }
 }
 
