@@ -8,7 +8,10 @@
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -86,8 +89,8 @@ inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& cou
   return result;
 }
 
-/// Reads the facets, and the hole points of the volume behind them, into `model`. The regions, last in the file, are
-/// not read.
+/// Reads the facets into `model`. It checks the hole points of the volume and drops them, with a note. The regions,
+/// last in the file, are not read. Throws Input_error.
 inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_model& model)
 {
   Polyhedron& polyhedron = model.polyhedron;

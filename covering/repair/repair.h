@@ -25,8 +25,8 @@ Boundary boundary_of(const std::vector<Triangle>& triangles);
 
 /// Returns the triangles of face `f` by constrained Delaunay triangulation of its projection along the largest
 /// component of the outer loop's Newell normal. Each triangle of the plane occurs as often, and in the direction, as
-/// its winding number about the loops says. Nothing where the projected loops cross, pass through another corner, or
-/// put two corners in one point.
+/// its winding number about the loops says. Nothing where the projected loops cross, pass through another corner, put
+/// two corners in one point, or lie on one line.
 std::optional<std::vector<Triangle>> constrained_delaunay(const Polyhedron& polyhedron, Index f);
 
 /// Returns the triangles that join the first corner of each loop of face `f` to that loop's edges. As a chain they have
@@ -36,10 +36,9 @@ std::vector<Triangle> fan(const Polyhedron& polyhedron, Index f);
 
 }  // namespace repair
 
-/// Returns triangles that cover exactly each face of more than three corners, without new vertices. They have the
-/// face's direction, and cover it as often as its winding number says. Triangles get none. Neither do faces for which
-/// it is not possible: where loops cross, pass through a corner, or have an edge that bounds nothing. Requires planar
-/// faces.
+/// Returns triangles for each face of more than three corners that has them, without new vertices. They have the face's
+/// direction, and cover it exactly, as often as its winding number says. A triangle has no entry. A face has none if
+/// its loops cross, pass through a corner, or have an edge that bounds nothing. Requires planar faces.
 std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron);
 
 /// A polyhedron whose faces are all planar, and where they come from.
@@ -56,8 +55,8 @@ struct Triangulated {
 /// as they are.
 Triangulated triangulate_non_planar(Polyhedron polyhedron);
 
-/// Returns the polyhedron with its faces oriented consistently across edges that two faces share. CGAL does it where
-/// all faces are single loops that visit a vertex once, else a breadth-first search. Parts that are closed already are
+/// Returns the polyhedron with its faces oriented consistently across edges that two faces share. CGAL does it if
+/// each face is one loop without a repeated vertex, else a breadth-first search. Parts that are closed already are
 /// left alone; parts that become closed are turned outward (`apply_orientation`).
 Oriented orient(const Polyhedron& polyhedron);
 

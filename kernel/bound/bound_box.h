@@ -14,7 +14,7 @@ namespace tetracone::kernel {
 template <class B>
 using Bound_box = std::array<Bound_point<B>, 8>;
 
-/// Upper bound of the distance of an entry of A^T A from that of the identity, A the axes of such a box.
+/// Upper bound of |A^T A - I| in each entry, where A holds the axes of a box of `bound_box`.
 /// `axis_defect_factor` is proved for it in verify/proofs/margin_proofs.h.
 inline constexpr double bound_box_defect = 0x1p-30;
 

@@ -54,8 +54,8 @@ struct Spread {
 
   double size() const { return covariance.trace(); }
 
-  /// Returns orthonormal columns, with the direction of greatest spread last. Returns the identity where no direction
-  /// stands out.
+  /// Returns orthonormal columns, with the direction of greatest spread last. Returns the identity if all points
+  /// coincide or the solver fails.
   Matrix principal_axes() const
   {
     if (!(size() > 0)) return Matrix::identity();
@@ -92,6 +92,7 @@ struct Oriented_box {
     extent = 0.5 * (high - low);
   }
 
+  /// Returns an eighth of the surface.
   double surface() const { return extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0]; }
 };
 
@@ -126,10 +127,6 @@ inline Matrix turned(const Matrix& axes, int about, double tangent)
   result.col(j) = c * axes.col(j) - s * axes.col(i);
   return result;
 }
-
-}  // namespace detail
-
-namespace detail {
 
 /// A sample of at most 512 points, which tells how turning axes changes the surface of the box about them. Their
 /// coordinates are floats, less the mean and divided by the root of the spread. They are kept four at a time.
@@ -204,8 +201,8 @@ class Turned_points {
 }  // namespace detail
 
 /// Returns the axes of a box of little surface about the points. It starts from the eigenvectors of their covariance.
-/// In each of `rounds` rounds it turns them about each axis, where that makes the surface smaller, and then halves the
-/// tangent. A sample of some 500 points decides how to turn. Requires a point.
+/// Each of `rounds` rounds turns them about each axis if that shrinks the surface. The turn's tangent starts at 1/2,
+/// and each round halves it. A sample of some 500 points decides how to turn. Requires a point.
 inline Matrix fitted_axes(std::span<const Vector> points, int rounds)
 {
   const Spread spread(points);
@@ -229,7 +226,8 @@ inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
   return Oriented_box(fitted_axes(points, rounds), points);
 }
 
-/// Returns the axes of a triangle: its normal, and the direction of its longest edge.
+/// Returns the axes of a triangle: its normal, and the direction of its longest edge. A triangle without area gives the
+/// edge alone, or the identity.
 inline Matrix triangle_axes(std::span<const Vector, 3> corners)
 {
   int longest = 0;
@@ -407,7 +405,7 @@ class Apex_box {
   Vector centre_;
 };
 
-/// Returns the code of the triangle in the lane that `Lane_box` has written for it. Returns 0 where it is not as
+/// Returns the code of the triangle whose box `Lane_box` has written into `lane`. Returns 0 where it is not as
 /// `Apex_code` says, which is checked.
 inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origin, std::span<const Vector, 3> corners)
 {

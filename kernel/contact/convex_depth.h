@@ -38,10 +38,10 @@ struct Convex_solid {
 /// largest n . b less the least n . a, over |n|. The plane of any other n is no nearer than the nearest facet, so more
 /// directions do not change the least.
 ///
-/// - Arcs: a product of edges that is a facet's normal, and no face's, lies between the normals of the faces at either
-///   edge. These are then on different sides of the plane across the other solid's edge. Other products are left out.
-/// - Order: directions come in the order of a lower bound of their plane's distance, and end where it exceeds the
-///   least. For a product of edges, n . (b - a) for points of the edges is one.
+/// - Arcs: a product of edges that is a facet's normal, and no face's, lies for each edge between the normals of its
+///   two faces. The plane across the other solid's edge then separates these normals. Other products are left out.
+/// - Order: directions come in the order of a lower bound of their plane's distance from 0. They end where it exceeds
+///   the least. For a product n of edges, n . (b - a) / |n| is such a bound, for points of the edges.
 ///
 /// All of this is computed in double, with bounds of the error. Fractions decide between the directions that are left,
 /// from the corners that may be the furthest.
@@ -91,7 +91,7 @@ class Convex_depth {
   };
 
   /// A direction: the normal of triangle `second` of body `first`, or the product of an edge of each. `least` is a
-  /// lower bound of its plane's distance.
+  /// lower bound of its plane's distance from 0.
   struct Candidate {
     bool is_normal;
     std::uint32_t first, second;

@@ -96,8 +96,8 @@ struct Certificate::Data {
   /// Proves that the nearest points are where they are, or that one solid holds a part of the other.
   void together(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Nearest& nearest);
   /// Proves that the bodies are farther apart than the root of `square`, or as far.
-  void apart(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
-             const kernel::Rational& square, bool or_equal, const Nearest& nearest);
+  void at_least_apart(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                      const kernel::Rational& square, bool or_equal, const Nearest& nearest);
   /// Returns a face of the file that has the part which holds a nearest point.
   Index face_of(std::size_t body, const Holder& holder) const;
 

@@ -4,8 +4,8 @@
 #include "verify/cases/case.h"
 #include "verify/cases/exact_map.h"
 
-/// Two formulations of how far A must be moved along a direction to leave B. There is one of how far it must be moved
-/// at least. All are in rationals.
+/// Two formulations tell how far A must move along a direction to leave B. `convex_squared_depth` tells the least
+/// translation. All are in rationals.
 namespace tetracone::verify {
 
 /// Returns the exits, by all events of all pairs. An event is a shift at which a vertex is on a triangle, or an edge on
