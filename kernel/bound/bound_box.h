@@ -46,8 +46,8 @@ Bound_box<B> bound_box(std::span<const Bound_point<B>> points)
 }
 
 /// True when the two placed boxes are found to share no point. The axes are the normals of their faces and the cross
-/// products of their edges. `slack` is `projection_slack`. The answer is sound for any axis, also for one that rounding
-/// has moved.
+/// products of their edges. `slack` is `projection_slack`. The answer is sound for any axis, also for one moved by
+/// rounding.
 template <class B>
 bool separated(const Bound_box<B>& a, const Bound_box<B>& b, B slack)
 {

@@ -26,8 +26,8 @@ struct Spread {
       : Spread(points.size(), [&](std::size_t k) -> const Vector& { return points[k]; })
   {}
 
-  /// The spread of point(0) .. point(count - 1), in one pass about the first point, near which all are. Requires count
-  /// > 0.
+  /// The spread of point(0) .. point(count - 1), in one pass about the first point, near all others. Requires count >
+  /// 0.
   template <class Point>
   Spread(std::size_t count, const Point& point)
   {
@@ -52,6 +52,7 @@ struct Spread {
                    Vector(xz, yz, zz) / n - shift * shift[2]}};
   }
 
+  /// Returns the mean squared distance from the mean.
   double size() const { return covariance.trace(); }
 
   /// Returns orthonormal columns, with the direction of greatest spread last. Returns the identity if all points
@@ -147,7 +148,7 @@ class Turned_points {
     for (int i = 0; i < 3; ++i) length_[i] = turned(i, i, 1, 0)[0];
   }
 
-  /// Turns the axes if that makes the surface smaller by more than the error of float.
+  /// Turns the axes, and returns true, if that makes the surface smaller by more than the error of float.
   bool turn(int about, double tangent)
   {
     const int i = (about + 1) % 3, j = (about + 2) % 3;
@@ -358,7 +359,7 @@ class Lane_box {
   Four along(const Vector& y) const { return across_[0] * y[0] + across_[1] * y[1] + across_[2] * y[2]; }
 
   Vector about_;
-  std::array<Four, 3> across_;  // of each coordinate: that of the three axes
+  std::array<Four, 3> across_;  // coordinate k of the three axes
   Four low_{two_times(std::numeric_limits<double>::infinity()), two_times(std::numeric_limits<double>::infinity())},
       high_ = -low_, sum_;
 };
@@ -405,8 +406,8 @@ class Apex_box {
   Vector centre_;
 };
 
-/// Returns the code of the triangle whose box `Lane_box` has written into `lane`. Returns 0 where it is not as
-/// `Apex_code` says, which is checked.
+/// Returns the code of the triangle whose box `Lane_box` has written into `lane`. Returns 0 where the triangle does not
+/// lie as the code says, which is checked.
 inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origin, std::span<const Vector, 3> corners)
 {
   const Apex_box box(boxes, lane, node_origin);

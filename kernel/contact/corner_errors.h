@@ -12,13 +12,13 @@ namespace tetracone::kernel {
 /// Bounds of the errors of rounded corners, and of edges and normals computed from them in double.
 ///
 /// All functions require a block of upward rounding, so that their results are upper bounds. In it the error of an
-/// operation is at most 2^-52 of its result, and that of a few less than `few_roundings` of their terms. An edge is a
-/// difference of two corners, a normal the product of two edges. Each bound is for one component, and for exact and
-/// rounded numbers alike. Let |e| <= E with an error of D, and |n| <= N:
+/// operation is at most 2^-52 of its result, and of a few operations less than `few_roundings` of their terms. An edge
+/// is a difference of two corners, a normal the product of two edges. Each bound is for one component, and for exact
+/// and rounded numbers alike. Let |e| <= E with an error of D, and |n| <= N:
 ///
 /// - Normal e f - g h: each product has an error of 2 E D, and the roundings one of `few_roundings` of 2 E^2.
 /// - Height n . x with |x| <= X: each product errs by at most (error of n) X + (error of x) N. Roundings add
-///   `few_roundings` of 3 N X. An edge's product with a normal is like that, with E and D.
+///   `few_roundings` of 3 N X. An edge's product with a normal has this bound, by E and D.
 ///
 /// `underflow_slack` covers underflow, since pieces have coordinates of at most 2^201.
 class Corner_errors {
@@ -77,7 +77,7 @@ class Corner_errors {
   double normal() const { return 2 * edge() * edge() + off_normal(); }
 
   double corner_ = 0;  // upper bound of the coordinates
-  double off_ = 0;     // upper bound of what they are off
+  double off_ = 0;     // upper bound of their errors
   double edge_ = 0;    // upper bound of rounded edges
 };
 

@@ -79,7 +79,7 @@ class Crossing_polytope {
   /// True when the polytope surely has no point in the ball.
   bool is_beyond() const { return is_beyond_; }
 
-  /// False when it surely has no translation of the box. A quick test, by the least box around it.
+  /// False when it surely has no translation of the box. It is a quick test, by the least box around the polytope.
   bool is_near(const Translation_box& box) const
   {
     for (std::size_t k = 0; k < 3; ++k)
@@ -123,7 +123,7 @@ class Crossing_polytope {
            double most, const Exactly& exactly)
   {
     Half_space h;
-    // What a product with the rounded normal may be off, for all translations that are asked for.
+    // Upper bound of the error of a product with the rounded normal, for all translations that are asked for.
     Interval off = 0, magnitude = 0, square = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Interval x = sign > 0 ? n[k] : -n[k];

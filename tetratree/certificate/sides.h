@@ -14,8 +14,8 @@
 /// Points of each side of two surfaces: inside of both solids, or of one alone.
 namespace tetracone::tetratree {
 
-/// Returns the times at which the segment's line crosses planes of faces near it, ascending. The segment goes from
-/// `start`, at 0, to `start + way`, at 1.
+/// Returns the times at which a segment's line crosses planes of faces near the segment, ascending. The segment goes
+/// from `start`, at 0, to `start + way`, at 1.
 inline std::vector<kernel::Rational> crossing_times(Placed_pair& pair, const kernel::Exact_vector& start,
                                                     const kernel::Exact_vector& way)
 {
@@ -49,7 +49,7 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
 /// Whether a point is inside of A, and of B.
 using Sides = std::array<bool, 2>;
 
-/// Appends a point for each of the sides, if some lines near a common point have them. All points between two crossings
+/// Appends a point for each of `wanted`, if some lines near a common point have one. All points between two crossings
 /// of a line are on one side. So points are found within the thinnest overlap. Returns whether all of `wanted` were
 /// found.
 inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Sides> wanted)

@@ -14,8 +14,8 @@ namespace tetracone::verify {
 /// a direction that is not 0.
 Solid_exits exits_by_events(const Object_case& c, const object_family::Exact_vector& direction);
 
-/// Returns the exit of convex solids whose interiors share a point, else 0. It is the least that a normal of a face, or
-/// a product of two edges, says: these are the normals of the Minkowski difference. Requires convex solids.
+/// Returns the exit of convex solids whose interiors share a point, else 0. It is the least exit by a normal of the
+/// Minkowski difference: of a face, or a product of two edges. Requires convex solids.
 kernel::Rational convex_exit(const Object_case& c, const object_family::Exact_vector& direction);
 
 /// Returns the squared length of the least translation that parts convex solids: the least over the same normals; 0
