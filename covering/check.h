@@ -80,7 +80,7 @@ inline bool is_manifold(const Polyhedron& polyhedron)
   return true;
 }
 
-/// The orientation of a closed surface, by the sign of its signed volume.
+/// The orientation of a surface, by the sign of its signed volume. `mixed`: shells differ. `open`: it is not closed.
 enum class Orientation { outward, inward, flat, mixed, open };
 
 /// Returns the name of an orientation.
@@ -232,8 +232,8 @@ inline Orientation common_orientation(const std::vector<Shell>& shells)
 
 }  // namespace detail
 
-/// Returns all properties of a polyhedron that a user should know before collision queries. Exact; any polyhedron is
-/// legal here.
+/// Returns all properties of a polyhedron that a user should know before collision queries, exactly. Requires only that
+/// corners name existing vertices.
 inline Check check(const Polyhedron& polyhedron)
 {
   Check result;

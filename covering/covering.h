@@ -25,15 +25,15 @@
 
 namespace tetracone::covering {
 
-inline constexpr Index none = std::numeric_limits<Index>::max();
+inline constexpr Index none = std::numeric_limits<Index>::max();  ///< stands for no vertex, edge or face
 
 /// One triangle W_i Q_j-1 Q_j of the covering of a face F_i (JS08 Definition 1). With the origin O of the polyhedron it
 /// spans the tetrahedron S_ij = O W_i Q_j-1 Q_j of Theorem 1, whose sign is its orientation.
 struct Covering_triangle {
   Index face;
   std::array<Index, 3> corner;  ///< W, from, to: vertex numbers
-  std::array<Index, 3> edge;    ///< real edges of the polyhedron on its sides W-from, from-to, to-W; `none` for inner
-                                ///< sides
+  std::array<Index, 3> edge;    ///< numbers in `Covering::edges` of its sides W-from, from-to and to-W; `none` for a
+                                ///< side that is no edge of the polyhedron
 };
 
 /// The grain of parallel work: this many faces, elements or corners of a body, or fewer, are not shared among threads.
@@ -82,8 +82,8 @@ class Both {
   void (*call_)(const void*, const Thing&, const Thing&) = nullptr;
 };
 
-/// Calls what(begin, end) for parts of the numbers first .. last, each of at most `most`, which together are all. The
-/// calls are in turn, or at once where `both` does two things at once.
+/// Calls what(begin, end) for parts of the numbers from `first` to below `last`. Each part has at most `most` numbers;
+/// together they are all. The calls are in turn, or at once where `both` does two things at once.
 template <class What>
 void in_parts(Index first, Index last, const Both& both, const What& what, Index most = most_in_part)
 {
@@ -95,7 +95,7 @@ void in_parts(Index first, Index last, const Both& both, const What& what, Index
   both([&] { in_parts(first, middle, both, what, most); }, [&] { in_parts(middle, last, both, what, most); });
 }
 
-/// Returns the sum of what(begin, end) over such parts. Later sums are added to earlier ones, by `add`.
+/// Returns the sum of what(begin, end) over the parts of `in_parts`. Later sums are added to earlier ones, by `add`.
 template <class What>
 auto sum_of_parts(Index first, Index last, const Both& both, const What& what) -> decltype(what(first, last))
 {
@@ -140,7 +140,7 @@ using Unset_vector = std::vector<T, Unset<T>>;
 /// face.
 class Covering {
  public:
-  /// Computes the covering, by `both`, which does not change the result.
+  /// Computes the covering. `both` says whether parts of the work may run at once, which does not change the result.
   explicit Covering(const Polyhedron& polyhedron, const Both& both = {})
   {
     both(
@@ -164,7 +164,7 @@ class Covering {
   std::span<const Index> from(Index f) const { return part(from_, f); }
   std::span<const Index> to(Index f) const { return part(to_, f); }
 
-  /// Returns three vertices of the face that span its plane; nothing when all its corners are on one line.
+  /// Returns three vertices of face `f` that span its plane; nothing when all its corners are on one line.
   std::optional<std::array<Index, 3>> plane_basis(Index f) const
   {
     if (spanned_[f] == by_none) return std::nullopt;
@@ -173,8 +173,8 @@ class Covering {
     return std::array{corners[0], corners[spanned_[f] / 16], corners[spanned_[f] % 16]};
   }
 
-  /// Returns at least one vertex of each connected part of the surface. A part is a maximal set of loops connected
-  /// through shared vertices. Loops count, not faces, since a face of several loops need not be connected.
+  /// Returns one vertex of each connected part of the surface. A part is a maximal set of loops connected through
+  /// shared vertices. Loops count, not faces, since a face of several loops need not be connected.
   const std::vector<Index>& shell_vertices() const { return shell_vertices_; }
 
  private:
@@ -246,8 +246,8 @@ class Covering {
     return Index(std::lower_bound(first + edge_begin_[edge[0]], first + edge_begin_[edge[0] + 1], edge) - first);
   }
 
-  /// Covers the faces in parts. If every face has two triangles fewer than corners, the positions of its triangles
-  /// follow from the corners.
+  /// Covers the faces in parts. If every face of n corners has n - 2 triangles, their positions follow from the corners
+  /// before them.
   void cover_faces(const Both& both)
   {
     const auto faces = Index(face_corner_begin_.size() - 1);
@@ -376,8 +376,8 @@ class Covering {
 };
 
 /// Returns the signed volume, exactly, positive for outward faces. It is 1/6 of the sum of the determinants of the
-/// covering's tetrahedra (JS08 Theorem 1). It does not depend on any W, nor on O when the polyhedron is closed; here O
-/// is the first vertex.
+/// covering's tetrahedra (JS08 Theorem 1). It does not depend on any W when faces are planar, nor on O when the
+/// polyhedron is closed; here O is the first vertex.
 inline kernel::Rational volume(const Polyhedron& polyhedron)
 {
   kernel::Volume_sum sum;

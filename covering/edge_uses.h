@@ -30,8 +30,8 @@ void for_each_directed_edge(const Polyhedron& polyhedron, Index f, Visit visit)
   }
 }
 
-/// Sorts by (low, high, face, forward). Where there are no more vertices than uses, it makes a bucket for each lower
-/// vertex and sorts within buckets, which is faster.
+/// Sorts uses by (low, high, face, forward); `vertices` is the number of vertices. Where there are no more vertices
+/// than uses, it makes a bucket for each lower vertex and sorts within buckets, which is faster.
 inline void sort_uses(std::vector<Edge_use>& uses, std::size_t vertices)
 {
   const auto is_before = [](const Edge_use& x, const Edge_use& y) {
@@ -85,7 +85,7 @@ inline std::ptrdiff_t surplus(std::span<const Edge_use> uses)
 /// True when over all loops every directed edge (a, b) occurs exactly as often as (b, a).
 inline bool is_closed(const Polyhedron& polyhedron)
 {
-  // The uses of an edge cancel when its ends come in the order of their numbers as often as not.
+  // The uses of an edge cancel when as many lead from its low to its high vertex as back.
   const std::size_t vertices = polyhedron.vertices.size();
   bool is_legal = true;
   const auto for_edges = [&](const auto& what) {

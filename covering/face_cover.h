@@ -109,7 +109,7 @@ class Face_cover {
     return kernel::normal_sign<Adaptive>(point(a), point(b), point(c), axis_);
   }
 
-  /// Finds each triangle's direction. Returns the number of one without area.
+  /// Finds each triangle's direction. Returns the number of the first triangle without area; nothing if all have some.
   std::optional<std::size_t> find_directions(std::span<const Triangle> triangles)
   {
     directions_.clear();
@@ -146,8 +146,8 @@ class Face_cover {
     return false;
   }
 
-  /// True when triangle `t` lies beyond a side of triangle `s`, or touches it. One of two triangles without a common
-  /// inner point has such a side.
+  /// True when no corner of triangle `t` is on the inner side of the line of some side of triangle `s`. One of two
+  /// triangles without a common inner point has such a side.
   bool is_beyond_side(std::span<const Triangle> triangles, std::size_t s, std::size_t t) const
   {
     for (std::size_t k = 0; k < 3; ++k)

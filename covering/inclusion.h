@@ -9,16 +9,16 @@ namespace tetracone::covering {
 
 /// Returns +1 or -1 when the tetrahedron O W A B of the covering holds p, by its sign, else 0.
 ///
-/// p is moved by the infinitesimal (e, e^2, e^3) first, so it lies on no plane of any tetrahedron. The sum of these
-/// over the covering is the winding number of the moved point. It is also p's own when p lies on no face. (Weights of
-/// 1/2 on shared facets, as often proposed, are wrong where p lies on an inner edge of the covering.)
+/// p is moved by the infinitesimal (e, e^2, e^3) first, so it lies on no plane of any tetrahedron. The sum of the
+/// results over the covering is the winding number of the moved point, and of p if p lies on no face. (Weights of 1/2
+/// on shared facets, as often proposed, are wrong where p lies on an inner edge of the covering.)
 template <class K>
 int signed_inclusion(const kernel::Point<K>& p, const kernel::Point<K>& o, const kernel::Point<K>& w,
                      const kernel::Point<K>& a, const kernel::Point<K>& b)
 {
   const kernel::Sign volume = kernel::volume_sign<K>(o, w, a, b);
   if (volume == kernel::ZERO) return 0;
-  // The signs of the coordinates at A, W, B and O: p must see each facet as the opposite corner does.
+  // The signs of p's barycentric coordinates of A, W, B and O: p must see each facet as the opposite corner does.
   const bool inside =
       kernel::perturbed_side<K>(o, b, w, p) == volume && kernel::perturbed_side<K>(o, a, b, p) == volume &&
       kernel::perturbed_side<K>(o, w, a, p) == volume && kernel::perturbed_side<K>(w, a, b, p) == -volume;
@@ -26,7 +26,7 @@ int signed_inclusion(const kernel::Point<K>& p, const kernel::Point<K>& o, const
 }
 
 /// Returns the winding number of the placed polyhedron about p, as the signed sum over its covering (JS08 Theorem 1).
-/// Requires p on no face and the polyhedron closed. `det M < 0` turns the sign of every shell.
+/// Requires p on no face and the polyhedron closed. A pose with det M < 0 reverses the sign.
 template <class K>
 int winding_number(const kernel::Point<K>& p, Placed_model<K>& body)
 {

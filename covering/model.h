@@ -22,7 +22,7 @@ namespace tetracone::covering {
 
 /// A polyhedron as kernel K sees it: its covering, the origin O of the covering, and its vertices as points of K.
 /// Requires every face planar (see `repair.h`), since the signs of a face assume it. Throws
-/// kernel::Unsound_floating_point when K decides exactly and floating point is not as that requires.
+/// kernel::Unsound_floating_point when K decides exactly and `kernel::require_exact_arithmetic` refuses.
 template <class K>
 class Model {
   /// An adaptive kernel's point is three times the size of a vertex, and is made from it by copying, so it is not kept.
@@ -39,7 +39,7 @@ class Model {
   const Covering& covering() const { return covering_; }
   std::size_t face_count() const { return face_count_; }
 
-  /// Returns O, the origin of the covering and of all tetra-cones, with the directions about it.
+  /// Returns the lattice of directions about O, the origin of the covering and of all tetra-cones.
   const kernel::Cone_lattice& lattice() const { return lattice_; }
   const kernel::Point<K>& origin() const { return origin_; }
 
@@ -105,7 +105,8 @@ class Placed_model {
       : model_(&model), blocks_((model.vertices().size() + block_size - 1) / block_size)
   {}
 
-  /// Moves the model. `pose` must outlive its use here. Throws as `Model` does.
+  /// Moves the model. `pose` must outlive all use of this until the next call. Throws kernel::Unsound_floating_point
+  /// when K decides exactly and floating point is not sound.
   void place(const kernel::Pose& pose)
   {
     if constexpr (kernel::Kernel_traits<K>::exact_signs) kernel::require_sound_floating_point();

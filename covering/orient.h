@@ -61,7 +61,7 @@ inline std::vector<bool> turns_across_edges(const Polyhedron& polyhedron)
   return turned;
 }
 
-/// Appends face `f` of `from`, with its loops turned round when `turn`.
+/// Appends face `f` of `from` to `to`, with its loops turned round when `turn`.
 inline void append_face(Polyhedron& to, const Polyhedron& from, Index f, bool turn)
 {
   std::vector<std::vector<Index>> loops;
@@ -106,9 +106,9 @@ struct Oriented {
   std::vector<Index> turned;  ///< ascending
 };
 
-/// Applies an orientation: `turned` says which faces to turn so that edges cancel within each group of `edge_groups`.
-///  - A group that is closed as it stands is left alone: inward, it may be a cavity.
-///  - A group that becomes closed is turned outward, to a positive volume.
+/// Returns the polyhedron oriented. `turned` says which faces to turn so that edges cancel in each of `edge_groups`.
+/// - A group that is closed as it stands is left alone: inward, it may be a cavity.
+/// - A group that becomes closed is turned outward, to a positive volume.
 /// - Any other group is turned as a whole where that leaves fewer of its faces changed.
 inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool> turned)
 {
@@ -138,8 +138,8 @@ inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool
   return result;
 }
 
-/// Turns faces so that they agree across their edges, those of holes included. `apply_orientation` says what becomes of
-/// each group.
+/// Returns the polyhedron with faces turned to agree across their edges, edges of holes included. `apply_orientation`
+/// says what becomes of each group.
 inline Oriented orient_across_edges(const Polyhedron& polyhedron)
 {
   return apply_orientation(polyhedron, turns_across_edges(polyhedron));

@@ -79,16 +79,16 @@ class Polyhedron {
   {
     for_arrays_of(*this, what);
   }
-  /// Same, where `what` may change the arrays. Requires that they are a polyhedron's afterwards.
+  /// Does the same where `what` may change the arrays. Requires that they are a polyhedron's afterwards.
   template <class What>
   void for_arrays(const What& what)
   {
     for_arrays_of(*this, what);
   }
 
-  /// True when the arrays, where they come from a file, are loops and faces. Then no loop is empty, each face has a
-  /// loop, and the ends of loops and faces ascend to the ends of the arrays. Corners may still name vertices that do
-  /// not exist.
+  /// True when arrays from a file are loops and faces, and vertices have numbers below 2^32 - 1. Then no loop is empty,
+  /// each face has a loop, and the ends of loops and faces ascend to the ends of the arrays. Corners may still name
+  /// vertices that do not exist.
   bool has_legal_loops() const
   {
     const auto ascend_to = [](const std::vector<Index>& ends, std::size_t last) {
@@ -141,8 +141,8 @@ class Polyhedron {
   std::vector<Index> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
 };
 
-/// Appends the vertices and the faces of `what`, with every loop turned round when `turned`. Requires two different
-/// polyhedra.
+/// Appends the vertices and the faces of `what` to `to`, with every loop turned round when `turned`. Requires two
+/// different polyhedra.
 inline void append(Polyhedron& to, const Polyhedron& what, bool turned = false)
 {
   assert(&to != &what);
@@ -180,7 +180,7 @@ inline std::vector<Index> least_equal_vertices(const std::vector<Vertex>& vertic
   return least;
 }
 
-/// Returns the polyhedron of all vertices, whose faces are the triangles, and the faces that have none.
+/// Returns a polyhedron of the same vertices. Its faces are the triangles, then each face that has no triangle.
 inline Polyhedron each_triangle_a_face(const Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
 {
   Polyhedron result;

@@ -39,8 +39,8 @@ struct Sides {
 /// plane, which the axis crosses, and must hold x in its inside.
 ///
 /// A ray goes upwards from x, which is moved first by an infinitesimal across the axis, then by a smaller one along it.
-/// The ray meets no edge then. The winding number is the sum of the winding numbers of the faces that it crosses. A
-/// face that holds x is crossed by the ray from below x alone.
+/// The ray meets no edge then. The winding number is the sum of the winding numbers of the faces that it crosses. Only
+/// the ray from just below x crosses a face that holds x.
 inline Sides sides(const Polyhedron& polyhedron, const kernel::Rational_point& x, int k)
 {
   std::array<double, 3> low, high;  // bounds of x: a conversion truncates

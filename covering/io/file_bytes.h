@@ -16,7 +16,7 @@ namespace tetracone::covering {
 /// shorter while it is mapped ends the process by SIGBUS.
 class File_bytes {
  public:
-  /// Throws Input_error as `read_bytes`.
+  /// Maps or reads the file. Throws Input_error as `read_bytes`.
   explicit File_bytes(const std::filesystem::path& file)
   {
     if (std::filesystem::is_regular_file(status_to_read(file))) map(file);

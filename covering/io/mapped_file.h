@@ -20,7 +20,7 @@ namespace tetracone::covering {
 /// shorter.
 class Mapped_file {
  public:
-  /// Throws Input_error as `read_bytes`, and unless it is a regular file.
+  /// Maps the file. Throws Input_error as `read_bytes`, and for a pipe.
   explicit Mapped_file(const std::filesystem::path& file)
   {
     const auto fail = [&](const char* wrong, const char* expected) {

@@ -22,15 +22,15 @@ std::string suffix_of(const std::filesystem::path& path);
 /// - Polygons stay polygons. Nothing is merged except an STL file's exactly equal vertices (-0.0 equals 0.0).
 /// - Each coordinate is the double nearest to the file's decimal, by the standard's own conversion, or the binary
 ///   file's number exactly.
-/// - OFF, OBJ, PLY and STL are read by `scan_off` and so on, .poly by `read_poly`.
+/// - The formats are described at `scan_off`, `scan_obj`, `scan_ply`, `scan_stl` and `read_poly`.
 /// - Numbers that no face uses (normals, colours, points of no face) may be nan or infinite.
-/// - Faces of one or two corners are left out; `read_with_notes` says so.
-/// - So are the bytes behind the last face of an OFF file, and behind the last triangle of a binary STL.
+/// - Faces of one or two corners are left out; `read_with_notes` says so. (A .poly file with such a face is refused.)
+/// - Bytes behind the last face of an OFF file, or the last triangle of a binary STL, are left out, too.
 ///
 /// Throws Input_error at the first flaw:
 ///
-/// - no file, or an unknown suffix;
-/// - a word that is no number;
+/// - no file, an empty one, text in UTF-16, or an unknown suffix;
+/// - an unknown keyword, or a word that is no number;
 /// - nan, infinity or overflow in a face's point;
 /// - an index out of range;
 /// - a face of no corners, or no face at all;

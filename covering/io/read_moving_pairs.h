@@ -69,8 +69,8 @@ inline double double_of_fraction(const Text_lines& lines, const std::string& num
 
 /// Returns the queries of a file in the format of Wang et al., "A Large Scale Benchmark and an Inclusion-Based
 /// Algorithm for Continuous Collision Detection", 2021. A query is eight lines: the four points at t = 0, then at t =
-/// 1, as in Moving_pair. A line has numerator and denominator of x, y and z, separated by commas. It ends in 1 or 0,
-/// which says whether the primitives meet.
+/// 1, as in Moving_pair. A line has numerator and denominator of x, y and z, separated by commas. A seventh field, 1 or
+/// 0, may say whether the primitives meet.
 ///
 /// Throws Input_error for another line, and for a coordinate that is no double. Throws it also where the lines of a
 /// query differ in their answers, and where the file holds no query or ends within one.

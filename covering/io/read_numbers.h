@@ -28,8 +28,8 @@ struct Number {
 /// The text of a file of numbers, and its name in messages. `-` is standard input, which is read once.
 class Number_text {
  public:
-  /// Replaces each comma between two numbers of a line by a blank. Throws Input_error as `read_text`, for a comma that
-  /// does not stand between two numbers, and where standard input was read before.
+  /// Reads the file, and replaces each comma between two numbers of a line by a blank. Throws Input_error as
+  /// `read_text`, for a comma that does not stand between two numbers, and where standard input was read before.
   explicit Number_text(const std::filesystem::path& file)
       : name_(file == "-" ? "standard input" : file.native()),
         text_(file == "-" ? as_text(name_, standard_input()) : read_text(file))
@@ -93,7 +93,7 @@ class Number_lines : private Number_text, public Text_lines {
   /// Returns the count of numbers on the current line, for messages.
   std::string found() const { return std::to_string(words().size()) + (words().size() == 1 ? " number" : " numbers"); }
 
-  /// Returns word `k` as a number. Throws Input_error. A fraction beyond the largest double is refused as infinite.
+  /// Returns word `k` as a number. Throws Input_error for any other word, and for a fraction beyond the largest double.
   Number number(std::size_t k) const
   {
     const std::string_view word = words()[k];
@@ -105,7 +105,7 @@ class Number_lines : private Number_text, public Text_lines {
     fail(in_quotes(word) + " as number " + std::to_string(k + 1), "expected a finite decimal number or a fraction n/d");
   }
 
-  /// Returns the numbers of a line that must hold exactly `N`, which messages call `what`. Throws Input_error.
+  /// Returns the `N` numbers of the current line, which messages call `what`. Throws Input_error for any other line.
   template <std::size_t N>
   std::array<Number, N> numbers(const std::string& what) const
   {

@@ -49,8 +49,8 @@ class Obj_statements {
   explicit Obj_statements(Text_lines& lines) : lines_(lines) {}
 
   /// Goes to the next statement; false at the end. A line that ends in a backslash goes on in the next. A name may end
-  /// in one, too (`g C:\parts\`). So a vertex or a face in the next line is a statement of its own, unless the line
-  /// before is such.
+  /// in one, too (`g C:\parts\`). So a vertex or a face in the next line is a statement of its own, unless it continues
+  /// a vertex or a face. Throws Input_error if the text ends where one of these goes on.
   bool next()
   {
     words_.clear();
@@ -78,7 +78,7 @@ class Obj_statements {
 
   const std::vector<std::string>& words() const { return words_; }
 
-  /// True when an earlier line ended in a backslash.
+  /// True when some line so far ended in a backslash.
   bool continued() const { return continued_; }
 
   /// Returns the vertices and faces that were read although the line before them, of something else, ends in a
@@ -86,7 +86,8 @@ class Obj_statements {
   const Left_out& kept() const { return kept_; }
 
  private:
-  /// A comment begins a word: CGAL takes 'g#' for a statement. In numbers it begins anywhere, but not in "1.#IND".
+  /// Appends the words of the current line up to its comment. This begins a word: CGAL takes 'g#' for a statement. In a
+  /// vertex or a face it may begin within a word, but not in "1.#IND".
   void append()
   {
     for (const std::string_view word : lines_.words()) {
@@ -133,10 +134,10 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
   vertices.push_back(vertex);
 }
 
-/// Scans a Wavefront OBJ text: the statements `v` and `f`. A face stays a polygon. Its indices count from 1, or
-/// backwards from the last vertex before it. A line that ends in a backslash goes on in the next. Statements that draw
-/// something else (points, lines, curves, groups, materials) are skipped; unknown ones are refused. A first line of two
-/// counts, of vertices and of faces, is taken too (FCL's files have it), and must be right.
+/// Returns what a Wavefront OBJ text holds: vertices (`v`) and faces (`f`, `fo`, `q`). A face stays a polygon. Its
+/// indices count from 1, or backwards from the last vertex before it. A line that ends in a backslash goes on in the
+/// next. Statements that draw something else (points, lines, curves, groups, materials) are skipped; unknown ones are
+/// refused. A first line of two counts, of vertices and faces, is taken too (FCL's files have it), and must be right.
 ///
 /// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
 ///

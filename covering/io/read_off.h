@@ -23,7 +23,7 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
   });
 }
 
-/// Scans an OFF text. '#' starts a comment anywhere. Its parts are, in order:
+/// Returns what an OFF text holds. '#' starts a comment anywhere. Its parts are, in order:
 ///
 /// - the keyword OFF, which may be absent, with ST, C and N before it in any order;
 /// - the counts of vertices, faces and (optionally) edges on one line;
@@ -36,9 +36,9 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
 /// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
 ///
 /// - colours and texture coordinates, since it takes as many as the header promises;
-/// - a count line without edges;
-/// - counts that stick to the keyword;
-/// - a file without the keyword.
+/// - a count line without edges, or with 2^30 edges or more;
+/// - counts that stick to the keyword, or a file without it;
+/// - numbers of vertices that are not finite.
 inline Scan scan_off(const std::string& file, std::string_view text)
 {
   Text_lines lines(file, text, '#');

@@ -28,6 +28,7 @@ class Ply_body {
 
   bool is_text() const { return format_ == Ply_header::Format::text; }
 
+  /// Goes to an item of an element: in text, to its line. Throws Input_error at the end of the text.
   void begin_item(const Ply_element& element, std::size_t item)
   {
     element_ = &element;
@@ -43,7 +44,7 @@ class Ply_body {
       lines_.fail(std::to_string(lines_.words().size()) + " numbers in " + what(), "expected " + std::to_string(word_));
   }
 
-  /// Returns an integer of the type, in the type's range.
+  /// Returns the next scalar, an integer in the type's range. Throws Input_error for any other.
   std::int64_t integer(Ply_type type, std::string_view name)
   {
     if (!is_text()) {
@@ -62,8 +63,8 @@ class Ply_body {
     return value;
   }
 
-  /// Returns a floating-point number of the type. In text it is the double nearest to the decimal, whatever the type,
-  /// or nan where it is not finite.
+  /// Returns the next scalar, of a floating-point type. In text it is the double nearest to the decimal, whatever the
+  /// type, or nan where it is not finite. Throws Input_error for a word that is no number.
   double floating(Ply_type type, std::string_view name)
   {
     if (is_text()) {
@@ -92,7 +93,7 @@ class Ply_body {
            "expected as many elements as the header counts");
   }
 
-  std::size_t bytes_left() const { return is_text() ? text_.size() : text_.size() - at_; }
+  std::size_t bytes_left() const { return is_text() ? text_.size() : text_.size() - at_; }  ///< upper bound
 
   /// Returns the name of the current item for an error.
   std::string what() const { return element_->name + " " + std::to_string(item_); }
@@ -178,7 +179,7 @@ inline std::size_t find_property(const Ply_element& element, std::string_view na
                                   element.properties.begin());
 }
 
-/// Returns the position of the element's list of vertices.
+/// Returns the position of the element's list of vertices. Throws Input_error where it has none.
 inline std::size_t find_corners(const std::string& file, const Ply_element& element)
 {
   std::size_t corners = find_property(element, "vertex_indices");
@@ -190,7 +191,7 @@ inline std::size_t find_corners(const std::string& file, const Ply_element& elem
   return corners;
 }
 
-/// Finds the parts. Records in the scan what CGAL does not take.
+/// Returns the parts. Records in the scan what CGAL does not take. Throws Input_error where one is missing.
 inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& header, Scan& scan)
 {
   const auto find = [&](const char* name, const char* other) -> const Ply_element* {
@@ -231,8 +232,8 @@ inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& heade
   return parts;
 }
 
-/// Scans a PLY file, text or binary of either byte order. Other elements and properties than these are skipped;
-/// properties may be in any order and of any type.
+/// Returns what a PLY file holds, text or binary of either byte order. Other elements and properties than these are
+/// skipped; properties may be in any order and of any type.
 ///
 /// - element `vertex` (or `vertices`): the properties x, y and z.
 /// - element `face` (or `faces`): the list vertex_indices (or vertex_index).
@@ -244,12 +245,12 @@ inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& heade
 ///
 /// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
 ///
-/// - strips;
+/// - strips, and the element `halfedge`;
 /// - indices that are neither int nor uint;
-/// - coordinates or colours of integer or other types;
-/// - the element `halfedge`;
-/// - unused numbers that are not finite;
-/// - headers with empty lines, or with the format not in line 2.
+/// - coordinates of integer types, and colours that are not uchar;
+/// - coordinates that are not finite, and numbers of a text that are not finite or, as float, too large;
+/// - lines without their last properties;
+/// - headers with empty lines, with carriage returns alone, or with the format not in line 2.
 inline Scan scan_ply(const std::string& file, std::string_view text)
 {
   std::string copied;

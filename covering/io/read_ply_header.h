@@ -87,7 +87,7 @@ inline bool is_binary_ply(std::string_view text)
   return false;
 }
 
-/// Reads a PLY header, up to the line `end_header`.
+/// Returns a PLY header, read up to the line `end_header`. Throws Input_error.
 inline Ply_header scan_ply_header(Text_lines& lines)
 {
   Ply_header header;

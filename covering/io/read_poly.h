@@ -8,7 +8,10 @@
 
 #include <CGAL/enum.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,7 +27,7 @@ struct Poly_nodes {
   std::uint64_t first = 0;  ///< the index of the first one: 0 or 1
 };
 
-/// Reads the nodes from the next line on. Throws Input_error.
+/// Returns the nodes that begin on the next line. Throws Input_error.
 inline Poly_nodes scan_poly_nodes(Text_lines& lines)
 {
   Poly_nodes nodes;
@@ -86,8 +89,8 @@ inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& cou
   return result;
 }
 
-/// Reads the facets, and the hole points of the volume behind them, into `model`. The regions, last in the file, are
-/// not read.
+/// Reads the facets into `model`. It checks the hole points of the volume and drops them, with a note. The regions,
+/// last in the file, are not read. Throws Input_error.
 inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_model& model)
 {
   Polyhedron& polyhedron = model.polyhedron;
@@ -145,8 +148,8 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
     model.notes.push_back("hole points of the volume are not used: only the facets' directions make a cavity");
 }
 
-/// Returns the model of a TetGen .poly file. Indices count from 0 or 1 as the first node says; '#' starts a comment.
-/// Its parts are, in order:
+/// Returns the model of a TetGen .poly file at `path` with the content `text`, without a name. Throws Input_error.
+/// Indices count from 0 or 1 as the first node says; '#' starts a comment. The parts of the file are, in order:
 ///
 /// - nodes; if there are none, they are in the .node file beside it;
 /// - facets of one or more polygons, the first being the outer one, with a hole point for each other;

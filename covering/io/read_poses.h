@@ -15,8 +15,8 @@ namespace tetracone::covering {
 
 /// Returns the pose whose matrix begins on the current line; the last line read is then the current one. A matrix is 12
 /// numbers, row-major 3x4; 16, row-major 4x4; or a row of four on each of four lines. The last row of a 4x4 matrix is 0
-/// 0 0 1. Throws Input_error for other counts (`expected` says what a line may hold), another last row, and det M = 0,
-/// exactly.
+/// 0 0 1. Throws Input_error for another count, another last row, or det M exactly 0. `expected` is the text for a
+/// wrong count.
 inline kernel::Pose read_pose(Number_lines& lines, const std::string& expected)
 {
   std::array<Number, 16> numbers;

@@ -18,8 +18,8 @@ namespace tetracone::covering {
 struct Rigid_pose_line {
   kernel::Rigid_pose pose;
   std::size_t line = 0;
-  /// Upper bound of the difference between an entry of a matrix and of the quaternion's rotation; set where the pose is
-  /// a matrix. The sign of such a quaternion is arbitrary.
+  /// The largest difference between an entry of the matrix and of the quaternion's rotation, rounded to nearest. It is
+  /// set where the pose is a matrix. The sign of such a quaternion is arbitrary.
   std::optional<double> matrix_error = {};
 };
 

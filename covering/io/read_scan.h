@@ -17,10 +17,6 @@
 
 namespace tetracone::covering {
 
-using covering::in_quotes;
-using covering::Input_error;
-using covering::parse_count;
-using covering::Text_lines;
 using kernel::parse_double;
 
 /// Points with coordinates that are not finite. They are legal where no face uses them.
@@ -29,7 +25,7 @@ class Unplaced_points {
   /// Adds a vertex; `error` is thrown if a face uses it.
   void add(Index vertex, const Input_error& error) { errors_.emplace_back(vertex, error); }
 
-  /// Moves each of them to a vertex of a face, with a note. Throws the error of the first that a face uses.
+  /// Moves each unplaced point to a vertex of a face, with a note. Throws the error of the first that a face uses.
   void settle(Polyhedron& polyhedron, std::vector<std::string>& notes) const
   {
     if (errors_.empty() || polyhedron.face_count() == 0) return;
@@ -59,7 +55,7 @@ class Left_out {
   }
   std::size_t count() const { return count_; }
 
-  /// Adds a note, `WHAT: COUNT (the first: WHERE)`, where there is something.
+  /// Adds a note if anything was left out: `WHAT: COUNT (the first: WHERE)`.
   void note(const std::string& what, std::vector<std::string>& notes) const
   {
     if (count_ != 0) notes.push_back(what + ": " + std::to_string(count_) + " (the first: " + first_ + ")");
@@ -70,9 +66,9 @@ class Left_out {
   std::string first_;
 };
 
-/// What a scan found in a file before CGAL reads it. The scans exist because CGAL's readers give no line numbers,
-/// believe the counts of a header and skip what they do not know. A scan refuses with an Input_error the first thing
-/// that is wrong. It takes over everything else, or a note says what it left out.
+/// What a scan found in a file. CGAL's reader only confirms it, in `read_model`. Scans replace CGAL's readers. These
+/// give no line numbers, trust a header's counts, and skip what they do not know. A scan refuses with an Input_error
+/// the first thing that is wrong. It takes over everything else, or a note says what it left out.
 struct Scan {
   Polyhedron soup;         ///< all vertices and faces in the file's order, each coordinate the nearest double
   bool cgal_knows = true;  ///< false: a legal dialect that CGAL's reader does not take, or takes for something else
@@ -82,8 +78,9 @@ struct Scan {
   Left_out short_faces;             ///< faces of one or two corners
 };
 
-/// True for any number, nan and infinity too, also as Microsoft's runtime wrote them up to 2013 ("-1.#IND",
-/// "1.#INF00"). A coordinate must be finite, but what is not used (a normal, a colour, a quality) need not.
+/// True for any number, nan and infinity too, and for any word "1.#..." with or without a sign. Microsoft's runtime
+/// wrote these up to 2013 ("-1.#IND", "1.#INF00"). A coordinate must be finite, but what is not used (a normal, a
+/// colour, a quality) need not.
 inline bool is_number_word(std::string_view word)
 {
   if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
@@ -107,7 +104,7 @@ inline void add_vertex(const Text_lines& lines, std::size_t k, std::vector<Verte
   }
 }
 
-/// Refuses a face of fewer than `least` corners.
+/// Refuses a face of fewer than `least` corners. The message always says 3, since fewer bound nothing.
 inline void need_corners(const Text_lines& lines, std::uint64_t corners, std::uint64_t least = 3)
 {
   if (corners < least)
@@ -138,7 +135,7 @@ inline void finish(Scan& scan)
   scan.short_faces.note("faces of one or two corners are left out, and faces are numbered without them", scan.notes);
 }
 
-/// Returns word `k` of the line as a vertex number below `vertices`.
+/// Returns word `k` of the line as a vertex number below `vertices`. Throws Input_error for any other word.
 inline Index vertex_index(const Text_lines& lines, std::size_t k, std::size_t vertices)
 {
   const std::uint64_t index = lines.count(k, "vertex index");

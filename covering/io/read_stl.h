@@ -78,8 +78,8 @@ inline Stl_layout layout_of_binary_stl(const std::string& file, std::string_view
                     "expected " + std::to_string(usual) + " bytes");
 }
 
-/// Scans a binary STL: 80 bytes, the count of triangles, then 50 bytes a triangle, laid out as `layout_of_binary_stl`
-/// says. Vertices are the three corners of each triangle, not merged.
+/// Returns what a binary STL holds: 80 bytes, the count of triangles, then 50 bytes a triangle, laid out as
+/// `layout_of_binary_stl` says. Vertices are the three corners of each triangle, not merged.
 inline Scan scan_stl_binary(const std::string& file, std::string_view text)
 {
   const Stl_layout layout = layout_of_binary_stl(file, text);
@@ -274,8 +274,8 @@ inline Scan scan_stl_text(const std::string& file, std::string_view text)
   return scan;
 }
 
-/// True when the file is text. It then begins with `solid` and holds no zero byte, and its size is not that of a binary
-/// file with its count of triangles.
+/// True when the file is text. It then begins with `solid`, in any case of letters, behind white space. It holds no
+/// zero byte, and has not the size of a binary file with its count of triangles.
 inline bool is_stl_text(std::string_view text)
 {
   if (has_size_of_binary_stl(text)) return false;

@@ -49,8 +49,8 @@ inline std::string read_bytes(const std::filesystem::path& file)
   return bytes;
 }
 
-/// Returns a text as all readers here take it. It has no UTF-8 byte order mark, and line feeds where carriage returns
-/// alone end its lines. Throws Input_error for UTF-16.
+/// Returns a text as all readers here take it. It has no UTF-8 byte order mark. Carriage returns that alone end lines
+/// become line feeds. Throws Input_error for UTF-16.
 inline std::string as_text(const std::string& file, std::string bytes)
 {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
@@ -104,7 +104,7 @@ class Text_lines {
   {
     if (!next()) fail(line_ == 0 ? "the file is empty" : "the file ends here", expected);
   }
-  /// Does the same for one of several things. The error names it: `what` number `number` of `count`.
+  /// Does the same. The error says that thing `number` of `count` should come, each a `what`.
   void need_next(std::string_view what, std::size_t number, std::size_t count)
   {
     if (next()) return;

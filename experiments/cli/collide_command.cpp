@@ -174,25 +174,36 @@ std::vector<Answer_row> ask(const verify::Object_subject& subject, const Placed_
   return rows;
 }
 
+/// Returns the names of the kernels whose every answer is right.
+std::vector<std::string> exact_kernels()
+{
+  std::vector<std::string> names;
+  for (const Kernel kernel : all_kernels)
+    if (is_exact(kernel)) names.push_back(kernel_name(kernel));
+  return names;
+}
+
 /// Throws CLI::ValidationError when given options exclude each other, or need another one.
 void require_contact_options(const Collide_options& options)
 {
-  const auto require = [](bool given, bool holds, const char* name, const char* expected) {
+  const auto require = [](bool given, bool holds, const char* name, const std::string& expected) {
     if (given && !holds) throw CLI::ValidationError(name, expected);
   };
-  const bool rounds = options.kernel != "adaptive" && options.kernel != "epeck" && options.kernel != "rational";
+  const std::vector<std::string> exact = exact_kernels();
+  const bool rounds = std::ranges::find(exact, options.kernel) == exact.end();
+  std::string expected = "expected with an exact kernel: " + exact[0];
+  for (std::size_t k = 1; k < exact.size(); ++k) expected += (k + 1 < exact.size() ? ", " : " or ") + exact[k];
   require(options.contacts, !options.features, "--contacts", "expected without --features");
   require(options.contacts, !options.time, "--time", "expected without --contacts");
   require(options.contacts, options.compare.empty(), "--compare", "expected without --contacts");
-  require(options.contacts, !rounds, "--contacts", "expected with an exact kernel: adaptive, epeck or rational");
+  require(options.contacts, !rounds, "--contacts", expected);
   require(options.exact, options.contacts, "--exact", "expected with --contacts");
   require(options.normals, options.contacts, "--normals", "expected with --contacts");
   require(!options.curves.empty(), options.contacts, "--curves", "expected with --contacts");
   require(!options.curves.empty(), is_curve_file(options.curves), "--curves", "expected a file *.obj or *.ply");
   require(!options.certificate.empty(), !options.lists(), "--certificate",
           "expected without --features and --contacts");
-  require(!options.certificate.empty(), !rounds, "--certificate",
-          "expected with an exact kernel: adaptive, epeck or rational");
+  require(!options.certificate.empty(), !rounds, "--certificate", expected);
   require(options.relation, !options.lists(), "--relation", "expected without --features and --contacts");
   require(options.relation, options.question == "solid", "--relation", "expected with --question solid");
   require(options.relation, options.compare.empty(), "--compare", "expected without --relation");

@@ -14,7 +14,7 @@ namespace tetracone::kernel {
 template <class B>
 using Bound_box = std::array<Bound_point<B>, 8>;
 
-/// Upper bound of the distance of an entry of A^T A from that of the identity, A the axes of such a box.
+/// Upper bound of |A^T A - I| in each entry, where A holds the axes of a box of `bound_box`.
 /// `axis_defect_factor` is proved for it in verify/proofs/margin_proofs.h.
 inline constexpr double bound_box_defect = 0x1p-30;
 
@@ -46,8 +46,8 @@ Bound_box<B> bound_box(std::span<const Bound_point<B>> points)
 }
 
 /// True when the two placed boxes are found to share no point. The axes are the normals of their faces and the cross
-/// products of their edges. `slack` is `projection_slack`. The answer is sound for any axis, also for one that rounding
-/// has moved.
+/// products of their edges. `slack` is `projection_slack`. The answer is sound for any axis, also for one moved by
+/// rounding.
 template <class B>
 bool separated(const Bound_box<B>& a, const Bound_box<B>& b, B slack)
 {

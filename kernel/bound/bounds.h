@@ -125,7 +125,7 @@ class Bound_frame {
     return result;
   }
 
-  /// Returns an upper bound of the error of a coordinate of an image.
+  /// Returns an upper bound of the error of a coordinate of an image; 0 unless `sound`.
   B error() const { return error_; }
   /// Returns an upper bound of every coordinate of an image.
   B magnitude() const { return magnitude_; }
@@ -142,7 +142,7 @@ class Bound_frame {
 };
 
 /// Returns the placed ball: its centre is moved, its radius stretched. A sound radius also grows by the error of the
-/// centre, which is sqrt(3) < 2 times that of a coordinate.
+/// centre, which is sqrt(3) < 2 times a coordinate's error.
 template <class B, bool sound>
 Ball<B> placed(const Bound_frame<B, sound>& frame, const Ball<B>& ball)
 {
@@ -319,8 +319,8 @@ class Placed_half_space {
   static constexpr B u = unit_roundoff<B>;
 
   // Both are proved in verify/proofs/bound_proofs.h.
-  static constexpr B determinant_rounding = 16 * u,  ///< error of det M times the offset, over its permanent times that
-      normal_rounding = 32 * u;  ///< error of N . (y - y_O), over the cofactors' magnitudes times the coordinates'
+  static constexpr B determinant_rounding = 16 * u,  ///< error of |det M| offset, over the permanent times offset
+      normal_rounding = 32 * u;  ///< error of N . (y - y_O), over the sum of the A_i times `magnitude`
 
   Placed_half_space(const Bound_frame<B, sound>& frame, const Half_space<B>& half_space, int determinant_sign)
   {
@@ -345,6 +345,7 @@ class Placed_half_space {
     }
   }
 
+  /// Returns the threshold: |det M| offset, and upper bounds of all errors.
   template <class Number>
   static Number sound_threshold(const Number& volume, const Number& permanent, const Number& offset,
                                 const Number& absolute_sum, const Number& magnitude, const Number& absolute)
@@ -369,8 +370,7 @@ class Placed_half_space {
     return Number(entry_underflow) * larger * ((one + normal) * magnitude + larger * offset) + Number(underflow_slack);
   }
 
-  /// True when the point lies strictly beyond the body's half-space. `slack` is the `projection_slack` of the two
-  /// bodies.
+  /// True when the point lies strictly beyond the body's half-space. `slack` is the `projection_slack` of both bodies.
   bool is_beyond(const Bound_point<B>& point, B slack) const
   {
     return dot(normal_, difference(point, origin_)) > threshold_ + slack * norm_1(normal_);

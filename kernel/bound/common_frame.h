@@ -20,9 +20,9 @@ constexpr double u = unit_roundoff<double>;
 /// Upper bound of the error of a row of L^T L: its diagonal entry less the magnitudes of the others. It is relative to
 /// the sum of the squares of all entries: verify/proofs/nearest_proofs.h.
 inline constexpr double row_rounding = 32 * u;
-/// Upper bound of the relative error of the root of such a row: verify/proofs/nearest_proofs.h.
+/// Upper bound of the relative error of the root of that row: verify/proofs/nearest_proofs.h.
 inline constexpr double root_rounding = 4 * u;
-/// Upper bound of the relative error of twice a volume over that sum: verify/proofs/nearest_proofs.h.
+/// Upper bound of the relative error of twice a volume over the sum of squares: verify/proofs/nearest_proofs.h.
 inline constexpr double quotient_rounding = 32 * u;
 
 /// Returns a diagonal entry of L^T L less the magnitudes of the other entries of its row. The first argument is the

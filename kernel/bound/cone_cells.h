@@ -103,7 +103,7 @@ struct Local_facet {
 ///
 /// In an octant, coordinates are taken as positive. There r = x + y + z is linear, and central projection (a, b, c) = n
 /// (x, y, z) / r maps triangles to triangles. Cell (i, j) is i <= a <= i + 1, j <= b <= j + 1 and c >= 0. Its *wide*
-/// cell extends `wide_margin` farther on all sides, also across the sides of the octant, with r that of the octant.
+/// cell extends `wide_margin` farther on all sides, also across the sides of the octant, with the octant's r.
 ///
 /// A direction in local units whose norm is at least `core` lies, with its error, in the wide cell that it is given.
 /// All that `for_cells` states of a cell holds for its wide cell. So it stays true when a point is moved by an
@@ -124,11 +124,11 @@ class Cone_cells {
   static constexpr double norm_margin = 0x1p-21;
   // Both are divided by n, and proved in verify/proofs/cone_proofs.h.
   static constexpr double widening = 0x1p-9,  ///< widens the octant to which triangles are clipped
-      near_side = 0x1p-7;  ///< bounds how far a corner of a triangle in it is beyond its border, for norms of up to 3
+      near_side = 0x1p-7;  ///< upper bound of a corner's distance beyond it, for triangles in it of norms up to 3
   /// Upper bound of the error of the norm at which a plane meets a direction, both known in double:
   /// verify/proofs/cone_proofs.h.
   static constexpr double plane_margin = 0x1p-24;
-  /// The least slope g of a plane that is used.
+  /// The least slope g of a plane that is used: see `Plane`.
   static constexpr double least_slope = 0x1p-16;
 
   /// Returns a lattice coordinate, n a / r, of a point of coordinate a and norm r.

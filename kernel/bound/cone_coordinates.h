@@ -19,7 +19,7 @@ namespace tetracone::kernel {
 /// Sound: c_i = ((p - V0) . N_i) / D with N_i, D exact (products of integers below 2^13). So only p - V0, the products,
 /// sums and the division round. Their errors are fractions of A_i = sum_k |p - V0|_k |N_ik| / D. With the largest A_i
 /// of all points, sum_i `form_rounding` A_i / length_i is an upper bound of the error of the whole form. `bounded_by`
-/// requires that much more.
+/// subtracts it from 1.
 template <class B, bool sound>
 class Cone_coordinates {
  public:
@@ -31,6 +31,7 @@ class Cone_coordinates {
   /// verify/proofs/margin_proofs.h.
   static constexpr double height_rounding = 0x1p-36;
 
+  /// Returns c_i of a point p relative to V0. `normal` and `scale` are N_i and D, divided by one factor.
   template <class Number>
   static Number coordinate(const std::array<Number, 3>& p, const std::array<Number, 3>& normal, const Number& scale)
   {
@@ -94,7 +95,7 @@ class Cone_coordinates {
     return true;
   }
 
-  /// Returns the lengths of three equal edges that bound every point within the radius.
+  /// Returns the lengths, in units of the V_i, of three equal edges that bound every point within the radius.
   const std::array<B, 3>& isosceles() const { return isosceles_; }
 
   /// Returns the volume of the tetrahedron cut off at these lengths.
@@ -111,7 +112,7 @@ class Cone_coordinates {
                                  std::exp(-x - y) / length_of_ray_[2]};
       B farthest = 0;
       for (const auto& c : coordinates_) farthest = maximum(farthest, form(c, length));
-      // The allowance is that of `bounded_by`, not less: in a slender cone it is many units.
+      // The allowance is not below `bounded_by`'s: in a slender cone it is many u.
       for (int i = 0; i < 3; ++i)
         farthest += (sound ? form_rounding + unit_roundoff<B> : unit_roundoff<B>)*largest_[i] / length[i];
       for (B& l : length) l *= farthest * (1 + 64 * unit_roundoff<B>);

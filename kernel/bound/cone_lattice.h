@@ -13,7 +13,8 @@
 namespace tetracone::kernel {
 
 /// A direction from the origin of a tetra-tree: an integer point of the octahedron |x| + |y| + |z| = lattice_size.
-/// Halving the octahedron's edges `max_cone_depth` - 1 times gives integer points.
+/// A cone of depth 1 is a face of the octahedron. So cones of depth `max_cone_depth` need its edges halved
+/// `max_cone_depth` - 1 times, which gives integer points.
 using Direction = std::array<std::int32_t, 3>;
 inline constexpr int max_cone_depth = 12;
 inline constexpr std::int32_t lattice_size = 1 << max_cone_depth;

@@ -62,7 +62,7 @@ class Cone_slab {
       highest = 4;                                ///< the largest height of a plane that is used
 
  private:
-  /// Narrows the bounds to the heights of the plane's points on the corners of the cell, where there are such.
+  /// Narrows the bounds to the heights of the plane's points on the cell's corners, if the plane faces all of the cell.
   static void narrow(const Local_facet& f, const Cone_cells::Corners& corners, const std::array<double, 4>& ascent,
                      double& least, double& most)
   {

@@ -50,6 +50,7 @@ using Apex_code = std::uint16_t;
 inline constexpr float no_apex = 2;
 inline constexpr double apex_tolerance = 0x1p-15;
 inline constexpr int apex_steps = 32767;  ///< from -1 to 0, and from 0 to 1
+/// Returns the apex of a code, from -1 to 1; `no_apex` for the code 0.
 inline float apex_of(Apex_code code)
 {
   return code == 0 ? no_apex : float(int(code) - apex_steps - 1) * (1 / float(apex_steps));
@@ -70,7 +71,7 @@ struct Single_box {
 /// node's origin, and reach an upper bound of |c|_2 + sum_i e_i of every lane.
 inline constexpr double box_rounding = 80 * 0x1p-24;
 
-/// Upper bound of that error for a box that a similarity carries, relative to reach + sum of extents
+/// Upper bound of the error of a comparison with a box that a similarity carries, relative to reach + sum of extents
 /// (verify/proofs/obb8_proofs.h). Where |t|_2 is above that sum, the boxes are apart, whatever is computed. The edges
 /// are carried in float.
 inline constexpr double carried_box_rounding = 192 * 0x1p-24;
@@ -121,12 +122,13 @@ class Box_map {
 
   /// Returns column j of the map; column 3 is its offset.
   const double* column(int j) const { return column_[j]; }
+  /// Returns an upper bound of the factor by which a similarity lengthens.
   float stretch() const { return stretch_; }
 
   /// Returns the slack for a box that a similarity carries, wherever it is: see `obb8_slack`.
   float slack(float reach, float size) const { return float(carried_box_rounding) * (reach + size) + position_slack_; }
 
-  /// Returns the single box, for any map.
+  /// Returns box `lane` of `from`, carried into the frame of `boxes` by any map.
   Single_box operator()(const Obb8& boxes, const Obb8& from, int lane) const
   {
     Single_box box;

@@ -22,8 +22,7 @@ namespace tetracone::kernel {
 /// The larger bound is taken.
 ///
 /// Each is improved along the vector n = sum_i +-g_i a_i that it found. A lower bound of the difference of the boxes
-/// along n is sum_i g_i (|t_i| - e_i) - sum_j f_j |sum_i +-g_i a_i . edge_j|. Divided by |n| it is a bound of the
-/// distance too.
+/// along n is sum_i g_i (|t_i| - e_i) - sum_j f_j |sum_i +-g_i a_i . edge_j|. Divided by |n|, it bounds the distance.
 inline constexpr float distance_shrink = 1 - 0x1p-18f;
 
 /// Upper bound of the error of g_i, relative to M = |t|_1 + reach + sum of extents, beside the position's error

@@ -21,16 +21,15 @@ HWY_INLINE Floats room_along(const Floats& t, const Floats& e, const Floats& sla
   return Sub(Sub(Abs(t), e), slack);
 }
 
-/// Returns that distance less the support of the other box, which has extents `f` and edges with components r along
-/// that axis.
+/// Returns `room` less the support of the other box, which has extents `f` and edges with components r along the axis.
 template <class Floats>
 HWY_INLINE Floats gap_of_room(const Floats& room, const Floats (&f)[3], const Floats (&r)[3])
 {
   return NegMulAdd(f[2], Abs(r[2]), NegMulAdd(f[1], Abs(r[1]), NegMulAdd(f[0], Abs(r[0]), room)));
 }
 
-/// Returns the gap along a vector of components +-g_i along a frame's axes, times its length. Along it the support of
-/// the other box itself is smaller than that of the axis-parallel box about it.
+/// Returns the gap along a vector of components +-g_i along a frame's axes, times its length. Along it the other box
+/// has a smaller support than the axis-parallel box about it.
 template <class Floats>
 HWY_INLINE Floats gap_of_way(const Floats (&g)[3], const Floats (&room)[3], const Floats (&way)[3],
                              const Floats (&f)[3], const Floats (&r)[3][3])
@@ -44,8 +43,8 @@ HWY_INLINE Floats gap_of_way(const Floats (&g)[3], const Floats (&room)[3], cons
 /// Returns a lower bound of the squared distance of a box from another, in the frame of its axes i. `t` leads from
 /// centre to centre, `e` are the extents. The other box has edges j of extents `f` with components r[i][j].
 ///
-/// The first bound is that of the axis-parallel box about the other one: g_i = |t_i| - e_i - sum_j f_j |r_ij|, 0 where
-/// that is negative. The second is the gap along this vector, over its length.
+/// The first bound is by the axis-parallel box about the other one: g_i = |t_i| - e_i - sum_j f_j |r_ij|, 0 where that
+/// is negative. The second is the gap along this vector, over its length.
 template <class Floats>
 HWY_INLINE Floats squared_way(const Floats (&t)[3], const Floats (&e)[3], const Floats (&f)[3], const Floats (&r)[3][3],
                               Floats slack)

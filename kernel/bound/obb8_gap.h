@@ -63,7 +63,7 @@ struct alignas(64) Carried_box {
   double image[4];        ///< of the centre, in double; the fourth is not used
   float edge[3][4];       ///< images of the half edges; the fourth is not used
   float centre[3];        ///< in the box's own local units
-  float half_edge[3][3];  ///< there
+  float half_edge[3][3];  ///< in these units
 
   /// `error`: upper bound of the error of the images then. `rounding`: that part of it which is due to rounding, for a
   /// map of scale 1.
@@ -116,7 +116,7 @@ struct alignas(32) Carrier {
   Course course;
   double error;  ///< see `Placement`
   double scale;
-  float slack;  ///< of the rate of a gap
+  float slack;  ///< upper bound of the error of a gap's rate
 
   /// Upper bound of the error of a rate in float, relative to the course's size (verify/proofs/gap_proofs.h).
   /// Coordinates are at most |c_k| + sum_j |h_jk|, which is below 5, since boxes of points |p_k| <= 1 are no longer

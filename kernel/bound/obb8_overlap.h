@@ -11,8 +11,8 @@
 
 namespace tetracone::kernel {
 
-/// Returns the lanes of `boxes` that are not found apart from the single box, as bits. Lanes that hold nothing may be
-/// among them.
+/// Returns the lanes of `boxes` that are not found apart from the single box, as bits. `similarity` is true when the
+/// single box's edges are nearly orthogonal. Lanes that hold nothing may be among the answers of both functions.
 inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool similarity)
 {
   using Function = unsigned(const Obb8&, const Single_box&, bool);

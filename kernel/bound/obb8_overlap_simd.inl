@@ -33,8 +33,7 @@ struct One_test {
   HWY_INLINE bool holds_triangle() const { return box.apex != no_apex && box.extent[2] > 0x1p-41f; }
 };
 
-/// Components along the axes 0, 1, 2 of the eight: t from their centres to the single box's, and the single box's edges
-/// 1 and 2.
+/// Components along the axes 0, 1, 2 of the eight: t from their centres to the single box's, and its edges 1 and 2.
 template <class Floats>
 struct Relative_edges {
   Floats t0, t1, t2;
@@ -42,8 +41,8 @@ struct Relative_edges {
   Floats r02, r12, r22;  ///< edge 2
 };
 
-/// The distances of lanes beyond the triangle's two other edges, along these edges' normals. The lengths are the sums
-/// of the normals' coordinates along the single box's edges: upper bounds of their lengths.
+/// The distances of lanes beyond the triangle's two edges at its apex, along these edges' normals. `left_length` and
+/// `right_length` are upper bounds of the normals' lengths: sums of coordinates along the single box's edges.
 template <class Floats, class Number>
 struct Beyond_triangle {
   Floats left, right;
@@ -79,15 +78,15 @@ HWY_INLINE auto beyond_triangle(const Test& test, const Relative_edges<Floats>& 
                                          {Neg(of_right[0]), Neg(of_right[1]), Neg(of_right[2])}};
 }
 
-/// Returns the slack along a triangle's sides, relative to their normals' lengths. It is twice that of the other axes,
-/// for two more roundings a term. The apex's tolerance is added twice, for the roundings of the extents.
+/// Returns the slack along a triangle's sides, relative to their normals' lengths. It is twice the slack along other
+/// axes, for two more roundings a term. The apex's tolerance is added twice, for the roundings of the extents.
 template <class Box, class Number>
 HWY_INLINE Number side_slack(const Box& box, const Number& slack)
 {
   return Number(2) * slack + Number(2 * apex_tolerance) * (box.extent[1] + box.extent[2]);
 }
 
-/// Returns the lanes whose box, with extents e0, e1 and e2, lies beyond one of the triangle's two other edges.
+/// Returns the lanes whose box, with extents e0, e1 and e2, lies beyond one of the triangle's two edges at its apex.
 template <class Test, class Floats>
 HWY_INLINE auto beside_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
 {

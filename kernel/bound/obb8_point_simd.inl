@@ -11,7 +11,7 @@ namespace tetracone::kernel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sets `squares`: `point_squares`.
+/// Implements `point_squares`.
 inline HWY_ATTR void point_squares_simd(const Obb8& boxes, const std::array<double, 3>& point, float* squares)
 {
   constexpr hn::CappedTag<float, lanes> tag{};

@@ -15,7 +15,7 @@ namespace tetracone::kernel {
 
 /// A ray in a body's local units, for boxes: o + s d, with d of length 1, starting where it may first meet the body.
 ///
-/// `error` is made up as follows. A coordinate of the origin, within `farthest`, is a difference rounded once. The
+/// `error` covers these terms. A coordinate of the origin, within `farthest`, is a difference rounded once. The
 /// direction has an error of 4 u, by the root of its square and a quotient. The origin is moved along it by at most
 /// sqrt(3) times `farthest`, with two more roundings.
 struct Local_ray {
@@ -54,7 +54,7 @@ struct Local_ray {
     return at + way * direction;
   }
 
-  /// True when the bounds of errors hold.
+  /// True when `error` holds: the body is in range, and the ray's own origin is within `farthest`.
   static bool may_be_local(const Local_scale& scale, const Vertex& origin)
   {
     if (!scale.is_in_range()) return false;
@@ -76,8 +76,8 @@ using Lane_entries = std::array<float, lanes>;
 
 /// Returns the lanes, as bits, whose boxes the ray may meet before s = `limit` at a point x of |x_k| <= 1. `nearest`
 /// becomes, in each lane, a lower bound of the s of any such point. Requires boxes of parts of a body in its local
-/// units. That means |a_i . (c - o)| + e_i <= sqrt(3), o the local origin, and their own origin within 1 in each
-/// coordinate.
+/// units. That means |a_i . (c - l)| + e_i <= sqrt(3), where l is the local origin, and their own origin within 1 in
+/// each coordinate.
 ///
 /// By the axes' defect d, |a_i . (x - c)| <= e_i + d (e_0 + e_1 + e_2) for a point in the box, at most 3 sqrt(3) d more
 /// than e_i. The error of the ray's point o + s d is Local_ray::error in a coordinate, and sqrt(3) times that along an

@@ -34,7 +34,7 @@ HWY_INLINE Floats exit_of_slab(Floats at, Floats inverse, Floats reach)
   return Sub(Mul(reach, Abs(inverse)), Mul(at, inverse));
 }
 
-/// Sets `nearest` and returns the lanes met, as bits: `ray_lanes`.
+/// Implements `ray_lanes`.
 inline HWY_ATTR unsigned ray_lanes_simd(const Obb8& boxes, const Local_ray& ray, double limit, float* nearest)
 {
   using hn::Div, hn::IfThenElse, hn::Lt, hn::Max, hn::Min;

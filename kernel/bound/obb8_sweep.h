@@ -14,10 +14,10 @@
 
 /// The times at which eight boxes and one that moves past them may meet.
 ///
-/// Along an axis, boxes that move on lines may be apart before one time and after another. They are where their
-/// centres' distance, which is linear in time, exceeds the sum of their supports. The axes are those of obb8_overlap.h,
-/// in the middle of a span of time. The boxes may meet only at times that no axis excludes. If they do not turn, they
-/// do meet then, up to rounding: boxes that are apart are so along one of these axes.
+/// Along an axis, boxes that move on lines may be apart before one time and after another. They are apart where their
+/// centres' distance, which is linear in time, exceeds the sum of their supports. The test uses the axes of
+/// obb8_overlap.h in the middle of a span of time. The boxes may meet only at times that no axis excludes. If they do
+/// not turn, they do meet then, up to rounding: boxes that are apart are so along one of these axes.
 namespace tetracone::kernel {
 
 /// Upper bound of the error of the motion along an axis in float, relative to the sum of the magnitudes of the sweep's
@@ -76,8 +76,8 @@ struct Box_sweep {
   double rest = 0;
 };
 
-/// Before `from` and after `until`, the single box is known to be apart from all of the eight. Times run from 0 to 1
-/// over the span.
+/// Before `from` and after `until`, the single box is known to be apart from all eight. Times run from 0 to 1 over the
+/// span.
 struct Known_times {
   float from = 0, until = 1;
 

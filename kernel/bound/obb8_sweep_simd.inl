@@ -27,7 +27,7 @@ HWY_INLINE Floats sweep_along(const Floats (&a)[3], const Floats (&centre)[3], c
   return along_axis(a, moved);
 }
 
-/// The times at which boxes may meet, from -1 to 1 over the span: not before `from`, not after `until`.
+/// The times at which boxes may meet, from -`minus_from` to `until`. They run from -1 to 1 over the span.
 template <class Floats>
 struct Times_near {
   Floats minus_from, until;
@@ -134,7 +134,7 @@ HWY_INLINE unsigned near_in_sweep(const One_test& by, const Swept_box& single, S
   return lanes << by.first;
 }
 
-/// Writes the vector from the origin of the eight to the centre of box `lane` of `from`.
+/// Writes the value of `way` for the origin of the eight and the centre of box `lane` of `from`.
 HWY_INLINE void way_between(const Point_way& way, const Obb8& from, int lane, const Obb8& boxes, float* found)
 {
   constexpr hn::CappedTag<double, 4> doubles;

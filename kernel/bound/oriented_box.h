@@ -26,8 +26,8 @@ struct Spread {
       : Spread(points.size(), [&](std::size_t k) -> const Vector& { return points[k]; })
   {}
 
-  /// The spread of point(0) .. point(count - 1), in one pass about the first point, near which all are. Requires count
-  /// > 0.
+  /// The spread of point(0) .. point(count - 1), in one pass about the first point, near all others. Requires count >
+  /// 0.
   template <class Point>
   Spread(std::size_t count, const Point& point)
   {
@@ -52,10 +52,11 @@ struct Spread {
                    Vector(xz, yz, zz) / n - shift * shift[2]}};
   }
 
+  /// Returns the mean squared distance from the mean.
   double size() const { return covariance.trace(); }
 
-  /// Returns orthonormal columns, with the direction of greatest spread last. Returns the identity where no direction
-  /// stands out.
+  /// Returns orthonormal columns, with the direction of greatest spread last. Returns the identity if all points
+  /// coincide or the solver fails.
   Matrix principal_axes() const
   {
     if (!(size() > 0)) return Matrix::identity();
@@ -92,6 +93,7 @@ struct Oriented_box {
     extent = 0.5 * (high - low);
   }
 
+  /// Returns an eighth of the surface.
   double surface() const { return extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0]; }
 };
 
@@ -127,10 +129,6 @@ inline Matrix turned(const Matrix& axes, int about, double tangent)
   return result;
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// A sample of at most 512 points, which tells how turning axes changes the surface of the box about them. Their
 /// coordinates are floats, less the mean and divided by the root of the spread. They are kept four at a time.
 class Turned_points {
@@ -150,7 +148,7 @@ class Turned_points {
     for (int i = 0; i < 3; ++i) length_[i] = turned(i, i, 1, 0)[0];
   }
 
-  /// Turns the axes if that makes the surface smaller by more than the error of float.
+  /// Turns the axes, and returns true, if that makes the surface smaller by more than the error of float.
   bool turn(int about, double tangent)
   {
     const int i = (about + 1) % 3, j = (about + 2) % 3;
@@ -204,8 +202,8 @@ class Turned_points {
 }  // namespace detail
 
 /// Returns the axes of a box of little surface about the points. It starts from the eigenvectors of their covariance.
-/// In each of `rounds` rounds it turns them about each axis, where that makes the surface smaller, and then halves the
-/// tangent. A sample of some 500 points decides how to turn. Requires a point.
+/// Each of `rounds` rounds turns them about each axis if that shrinks the surface. The turn's tangent starts at 1/2,
+/// and each round halves it. A sample of some 500 points decides how to turn. Requires a point.
 inline Matrix fitted_axes(std::span<const Vector> points, int rounds)
 {
   const Spread spread(points);
@@ -229,7 +227,8 @@ inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
   return Oriented_box(fitted_axes(points, rounds), points);
 }
 
-/// Returns the axes of a triangle: its normal, and the direction of its longest edge.
+/// Returns the axes of a triangle: its normal, and the direction of its longest edge. A triangle without area gives the
+/// edge alone, or the identity.
 inline Matrix triangle_axes(std::span<const Vector, 3> corners)
 {
   int longest = 0;
@@ -360,7 +359,7 @@ class Lane_box {
   Four along(const Vector& y) const { return across_[0] * y[0] + across_[1] * y[1] + across_[2] * y[2]; }
 
   Vector about_;
-  std::array<Four, 3> across_;  // of each coordinate: that of the three axes
+  std::array<Four, 3> across_;  // coordinate k of the three axes
   Four low_{two_times(std::numeric_limits<double>::infinity()), two_times(std::numeric_limits<double>::infinity())},
       high_ = -low_, sum_;
 };
@@ -407,8 +406,8 @@ class Apex_box {
   Vector centre_;
 };
 
-/// Returns the code of the triangle in the lane that `Lane_box` has written for it. Returns 0 where it is not as
-/// `Apex_code` says, which is checked.
+/// Returns the code of the triangle whose box `Lane_box` has written into `lane`. Returns 0 where the triangle does not
+/// lie as the code says, which is checked.
 inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origin, std::span<const Vector, 3> corners)
 {
   const Apex_box box(boxes, lane, node_origin);

@@ -42,7 +42,7 @@ inline Local_scale local_scale(const Vertex& origin, std::span<const Vertex> ver
 inline Double_double two_sum(double x, double y) { return Double_double::sum(x, y); }
 inline Double_double two_product(double x, double y) { return Double_double::product(x, y); }
 
-/// D = (M_b o_b + t_b) - (M_a o_a + t_a): the vector from the place of A's local origin to that of B's.
+/// D = (M_b o_b + t_b) - (M_a o_a + t_a): the vector from the place of A's local origin to the place of B's.
 class Origin_offset {
  public:
   // Parts of a component's sum, a lane each. p and q are the terms of A, r and s those of B, in lanes.
@@ -149,6 +149,7 @@ class Origin_offset {
   }
 
   double operator[](int i) const { return value_[i]; }
+  /// Returns the largest magnitude of a component of D.
   double largest() const { return largest_; }
 
   /// Returns an upper bound of the error of a component.

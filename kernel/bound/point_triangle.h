@@ -14,7 +14,7 @@ struct Point_gap {
   double low = 0;        ///< lower bound of the distance
   double high = 0;       ///< upper bound of the distance
   double nearest = 0;    ///< the distance as computed
-  unsigned corners = 0;  ///< those that span the feature that seems to hold the nearest point, as bits
+  unsigned corners = 0;  ///< bits: the corners of the vertex, edge or triangle that seems nearest
 };
 
 namespace detail {
@@ -51,11 +51,11 @@ inline Nearest_place nearest_place(const Double_triangle& t)
 
 }  // namespace detail
 
-/// Returns bounds of the distance of 0 and a triangle whose coordinates are at most `largest` and have an error of at
-/// most `error`. The point may have one too, which `error` includes. A NaN gives low = 0, and a high that is NaN.
+/// Returns bounds of the distance of 0 and a triangle. Its coordinates are at most `largest` and have an error of at
+/// most `error`, which includes the error of the point. A NaN gives low = 0, and a high that is NaN.
 ///
-/// The bounds are those of `triangle_gap`, for a point in the triangle and the direction to it. A place may be outside
-/// by two roundings, at most 2 u in s + r: an error of 4 u `largest` in a coordinate.
+/// The bounds are computed as in `triangle_gap`, from a point in the triangle and the direction to it. A place may be
+/// outside by two roundings, at most 2 u in s + r: an error of 4 u `largest` in a coordinate.
 inline Point_gap point_gap(const Double_triangle& t, double error, double largest)
 {
   namespace td = triangle_distance;

@@ -27,7 +27,7 @@ class Relative_frame {
       : Relative_frame(a, in_a, b, in_b, Origin_offset(a, in_a, b, in_b))
   {}
 
-  /// The map from B's local units to A's, where D is known.
+  /// The map from B's local units to A's, from their known origin offset D.
   Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Origin_offset& d)
   {
     if (!by_transpose(a, in_a, b, in_b, d)) by_inverse(a, in_a, b, in_b);
@@ -53,7 +53,7 @@ class Relative_frame {
   /// Factor that covers products of two errors and the rounding of bounds: verify/proofs/frame_proofs.h.
   static constexpr double second_order = 1.01;
 
-  /// Upper bound of the error of the norm of I - f G: roundings of G's entries, also those of fractions, and of f
+  /// Upper bound of the error of the norm of I - f G: roundings of G's entries, also of fractions, and of f
   /// (verify/proofs/frame_proofs.h).
   static constexpr double gram_rounding = 24 * u;
 
@@ -92,6 +92,7 @@ class Relative_frame {
   const std::array<Row, 3>& linear() const { return linear_; }
   const Row& offset() const { return offset_; }
 
+  /// Returns the image of a point, rounded.
   template <class Number>
   Row operator()(const std::array<Number, 3>& p) const
   {
@@ -116,8 +117,8 @@ class Relative_frame {
   /// near the ends of the range.
   ///
   /// With G = M_a^T M_a, rho = ||I - f G|| is its computed value plus `gram_rounding`. M_a^-1 = X + (I - X M_a) M_a^-1.
-  /// So the error of a row of the linear part is rho times its sum, which is below three times the longest column c. To
-  /// it comes `transpose_rounding` of products |col_i M_a| |col_j M_b| f, which is (1 + 2^-23) times a column. Rows of
+  /// So the error of a row of the linear part is rho times its sum, which is below three times the longest column c.
+  /// `transpose_rounding` of products |col_i M_a| |col_j M_b| f is added; these are (1 + 2^-23) times a column. Rows of
   /// X sum to at most sqrt(3) / s. When D's error in double is too large, D is summed again in double-double.
   bool by_transpose(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, Origin_offset d)
   {
@@ -218,8 +219,7 @@ class Relative_frame {
     return norm;
   }
 
-  /// Returns an upper bound of ||I - X M_a||: its computed value plus the errors of the computation and of a fraction's
-  /// entry.
+  /// Returns an upper bound of ||I - X M_a||: its computed value plus the errors of the computation and of fractions.
   static double residual_norm(const Pose& a, const std::array<Row, 3>& x)
   {
     double norm = 0;

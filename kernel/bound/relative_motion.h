@@ -73,8 +73,7 @@ struct alignas(32) Placement {
   }
 };
 
-/// A motion in equal steps. Each step moves every point p of a body by L p + s. Columns 0 to 2 are L, and column 3 is
-/// s.
+/// A motion in equal steps. Each step moves every point p of a body by L p + s. Columns 0 to 2 are L, column 3 is s.
 struct alignas(32) Course {
   float column[4][4] = {};  ///< of the linear part, and the shift; the fourth entry of each is 0
   float size = 0;           ///< upper bound of the sum of all magnitudes
@@ -94,8 +93,8 @@ struct alignas(32) Course {
     size = sum * rounded_up;
   }
 
-  /// This is the course of a body B in the frame of A. Returns the course of A in the frame of B where B is now.
-  /// `other` is the place of A there: a similarity whose `error` is at most 2^-24 of `scale`. The columns have an error
+  /// Returns the course of A in the frame of B, at B's present place; this is the course of B in the frame of A.
+  /// `other` places A in B's frame: a similarity whose `error` is at most 2^-24 of `scale`. The columns have an error
   /// of at most that fraction of the size, beside one rounding.
   Course reversed(const Placement& other) const
   {
@@ -140,12 +139,12 @@ inline double steps_along(const Course& course, const Placement& before, const P
 }
 
 /// Returns the stray. It is an upper bound of the distance between a point's place after the motion and the place that
-/// `steps` steps of the course predict. It holds for all points p with |p_k| <= 1. The motion leads from the point's
-/// exact image under `before` to its exact image under `after`. Infinite or undefined where nothing is known.
+/// `steps` steps of the course predict. It holds for all points p of `box` with |p_k| <= 1. The motion leads from the
+/// point's exact image under `before` to its exact image under `after`. Infinite or undefined where nothing is known.
 ///
-/// That is |D p + d| and the errors of both images. D and d are the columns of `after` less those of `before`, less
-/// `steps` times the course's. These are rounded a few times in double, which the placements' errors include, and then
-/// to float. |D p + d| is convex, so it is largest at a corner.
+/// The bound is |D p + d| plus the errors of both images. D and d are the columns of `after` less those of `before`,
+/// less `steps` times the course's. These are rounded a few times in double, which the placements' errors include, and
+/// then to float. |D p + d| is convex, so it is largest at a corner of the box.
 inline double stray_bound(const Course& course, double steps, const Placement& before, const Placement& after,
                           const Box_corners& box)
 {

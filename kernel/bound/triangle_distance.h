@@ -59,7 +59,7 @@ inline constexpr double length_rounding = 8 * u;
 /// coordinate R (verify/proofs/distance_proofs.h).
 inline constexpr double point_rounding = 16 * u;
 
-/// Returns an upper bound of the error of a distance of points, and of that of a gap over |n|. Points have an error of
+/// Returns an upper bound of the error of a distance of points, and of a gap along n over |n|. Points have an error of
 /// at most `position_error` in a coordinate, and are then rounded. 4 is above 2 sqrt(3), the length of two errors in
 /// three coordinates. For a gap, |n|_1 is at most sqrt(3) |n|_2.
 template <class Number>
@@ -76,12 +76,13 @@ std::array<Number, 3> point_in_triangle(const std::array<std::array<Number, 3>, 
   return {at(0), at(1), at(2)};
 }
 
-/// Returns a lower bound of the distance from a gap along n, and from the root of n . n as computed.
+/// Returns a lower bound of the distance, by a gap along n and by `length`, the root of n . n as computed.
 inline double below(double gap, double length, double slack)
 {
   const double low = gap / length * (1 - length_rounding) - slack;
   return low > 0 ? low : 0;
 }
+/// Returns an upper bound of a distance of points, by the distance as computed.
 inline double above(double distance, double slack) { return distance * (1 + length_rounding) + slack; }
 
 /// Two points, and the corners that span the features that hold them.

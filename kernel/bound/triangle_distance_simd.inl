@@ -9,8 +9,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace tetracone::kernel::HWY_NAMESPACE {
 
-/// Finds the nearest points of an edge of A, a lane each, and of one of B. It does without MulAdd, so that all versions
-/// give equal bits.
+/// Finds the nearest points of each edge of A, a lane each, and the edge of B nearest to it. It does without MulAdd, so
+/// that all versions give equal bits.
 inline HWY_ATTR void nearest_on_edges_simd(const Edged_triangle& a, const Edged_triangle& b,
                                            triangle_distance::Near_edges& near)
 {

@@ -112,7 +112,7 @@ struct Matrix {
   }
   friend constexpr bool operator==(const Matrix&, const Matrix&) = default;
 
-  /// Returns the largest distance of an entry of A^T A from that of the identity. Returns NaN where an entry is NaN.
+  /// Returns the largest magnitude of an entry of A^T A - I; NaN where an entry is NaN.
   double orthonormal_defect() const
   {
     const Matrix defect = transpose() * *this - identity();

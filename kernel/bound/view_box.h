@@ -29,15 +29,6 @@ struct View_box {
     return true;
   }
 
-  /// True when the parts may meet after a translation of at most this length along the view's axes.
-  bool is_within(const View_box& other, double length) const
-  {
-    const double reach = 1.5 * length;  // more than the root of 2, the largest length of an axis
-    for (std::size_t k = 0; k < low.size(); ++k)
-      if (low[k] - other.high[k] > reach || other.low[k] - high[k] > reach) return false;
-    return true;
-  }
-
   /// False when the parts surely do not meet for any translation of this one by centre + x with |x_k| <= half[k].
   bool may_meet(const View_box& other, const std::array<double, 3>& centre, const std::array<double, 3>& half) const
   {
@@ -52,16 +43,17 @@ struct View_box {
     return true;
   }
 
+  /// Returns the sum of the extents along x, y and z.
   double size() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[height] - low[height]); }
 };
 
-/// Lower bound of the rise at which a part of A may meet a part of B.
+/// Returns a lower bound of the rise at which a part of A may meet a part of B.
 inline double least_rise(const View_box& a, const View_box& b)
 {
   const double rise = b.low[View_box::height] - a.high[View_box::height];
   return rise - std::abs(rise) * few_roundings;
 }
-/// Upper bound of that rise.
+/// Returns an upper bound of such a rise.
 inline double most_rise(const View_box& a, const View_box& b)
 {
   const double rise = b.high[View_box::height] - a.low[View_box::height];
@@ -138,7 +130,7 @@ class Box_view {
   }
 
  private:
-  /// A linear function of a body's local units, in rounded numbers. It is off by at most `absolute`, and by `relative`
+  /// A linear function of a body's local units, in rounded numbers. Its error is at most `absolute` plus `relative`
   /// times the sum of the coordinates' magnitudes. Both contain `few_roundings` of the terms, for all that is computed
   /// of them. Their own roundings are covered by taking them twice.
   struct Axis {

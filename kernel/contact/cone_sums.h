@@ -63,7 +63,7 @@ struct Wide_fraction {
   Wide_fraction(mpz_class numerator, mpz_class divisor) : top(std::move(numerator)), bottom(std::move(divisor)) {}
   Wide_fraction(const Rational& x) : top(x.get_num()), bottom(x.get_den()) {}
 
-  /// Divides the common factor out.
+  /// Returns the fraction in lowest terms.
   Rational reduced() const
   {
     Rational fraction(top, bottom);

@@ -31,17 +31,17 @@ struct Convex_solid {
   std::vector<Edge> edges;
 };
 
-/// The least translation of convex solid A after which its interior shares no point with that of B.
+/// The least translation of convex solid A that parts its interior from B's.
 ///
 /// The translations that do not part them are the inside of the Minkowski difference B - A. Its facets' normals are
-/// those of faces of either solid, or products of an edge of each. A plane with the normal n is as far from 0 as the
+/// normals of either solid's faces, or products of an edge of each. A plane with the normal n is as far from 0 as the
 /// largest n . b less the least n . a, over |n|. The plane of any other n is no nearer than the nearest facet, so more
 /// directions do not change the least.
 ///
-/// - Arcs: a product of edges that is a facet's normal, and no face's, lies between the normals of the faces at either
-///   edge. These are then on different sides of the plane across the other solid's edge. Other products are left out.
-/// - Order: directions come in the order of a lower bound of their plane's distance, and end where it exceeds the
-///   least. For a product of edges, n . (b - a) for points of the edges is one.
+/// - Arcs: a product of edges that is a facet's normal, and no face's, lies for each edge between the normals of its
+///   two faces. The plane across the other solid's edge then separates these normals. Other products are left out.
+/// - Order: directions come in the order of a lower bound of their plane's distance from 0. They end where it exceeds
+///   the least. For a product n of edges, n . (b - a) / |n| is such a bound, for points of the edges.
 ///
 /// All of this is computed in double, with bounds of the error. Fractions decide between the directions that are left,
 /// from the corners that may be the furthest.
@@ -91,7 +91,7 @@ class Convex_depth {
   };
 
   /// A direction: the normal of triangle `second` of body `first`, or the product of an edge of each. `least` is a
-  /// lower bound of its plane's distance.
+  /// lower bound of its plane's distance from 0.
   struct Candidate {
     bool is_normal;
     std::uint32_t first, second;
@@ -120,8 +120,8 @@ class Convex_depth {
     for (const Convex_solid::Edge& e : body.solid->edges) body.edges.push_back(step(e.corners[0], e.corners[1]));
   }
 
-  /// Encloses the distance of a plane, of a rounded normal and its product with a point of the plane less one of
-  /// another.
+  /// Encloses height / |n|, the distance of a facet's plane from 0. n is a rounded normal, and height a difference of
+  /// two rounded products with it.
   Interval distance(double height, const Number_point<double>& n) const
   {
     if (!is_bounded_) return Interval::largest();
@@ -205,8 +205,8 @@ class Convex_depth {
     return n;
   }
 
-  /// Returns the largest product of a direction with the corners of a body, of those whose rounded one is not surely
-  /// less than another's.
+  /// Returns the largest product of `sign` n with the corners of a body, exactly. It skips corners whose rounded
+  /// products are surely less than another's.
   Rational largest(const Rational_point& n, const std::vector<double>& heights, Body& body, int sign)
   {
     const double off = is_bounded_ ? 3 * errors_.off_height() : HUGE_VAL;

@@ -42,8 +42,7 @@ class Coplanar_arrangement {
     join_slabs();
   }
 
-  /// Returns the pieces. Polygons are the connected parts of the shared interior; segments and points are in none of
-  /// them.
+  /// Returns the pieces. Polygons are the connected parts of the shared interior; segments and points are in none.
   std::vector<Rational_piece> pieces()
   {
     std::vector<Rational_piece> pieces;

@@ -67,7 +67,7 @@ class Cone_sums;
 template <>
 class Cone_sums<Interval> {
  public:
-  /// Adds of_volume / bottom and of_moment / bottom^2, where `bottom` is the product of those of the crossings.
+  /// Adds of_volume / bottom and of_moment / bottom^2, where `bottom` is the product of the crossings' `bottom`s.
   void add(std::initializer_list<const Edge_crossing<Interval>*> /*crossings*/, const Interval& bottom,
            const Interval& of_volume, const Number_point<Interval>& of_moment)
   {
@@ -84,7 +84,7 @@ class Cone_sums<Interval> {
 template <>
 class Cone_sums<mpz_class> {
  public:
-  /// Adds volume / bottom and moment / bottom^2, where `bottom` is the product of those of the crossings.
+  /// Adds volume / bottom and moment / bottom^2, where `bottom` is the product of the crossings' `bottom`s.
   void add(std::initializer_list<const Edge_crossing<mpz_class>*> crossings, mpz_class bottom, mpz_class volume,
            Number_point<mpz_class> moment)
   {
@@ -95,7 +95,7 @@ class Cone_sums<mpz_class> {
     for (std::size_t n = ++count_; n % 2 == 0; n /= 2) add_last_two();
   }
 
-  /// Returns the volume and the centroid, where coordinates are `scale` times the true ones and `more` is added.
+  /// Returns volume and centroid of the sum plus `more`. The sum's coordinates, not `more`'s, are scaled by `scale`.
   Exact_solid value(const mpz_class& scale, const Volume_moment& more)
   {
     if (terms_.empty()) add({}, 1, 0, {0, 0, 0});
@@ -150,15 +150,17 @@ class Cone_sums<mpz_class> {
 /// The cones over the common parts of the faces of two solids, of which each contact is a proper crossing.
 ///
 /// Face f has the corners p, q, r. The part of f in the other solid is bounded by contacts and by parts of f's edges.
-/// Its cone is the sum over these of the cones over the triangles (p, x, y), of which those on the edges at p are 0. So
-/// the edge qr and the contacts suffice. At a contact of f and g both parts have the border xy, in opposite directions.
+/// Its cone is the sum of the cones over the triangles (p, x, y) of this border's segments xy. Those on the edges at p
+/// are 0, so the edge qr and the contacts suffice. At a contact of f and g both parts have the border xy, in opposite
+/// directions.
 template <class N>
 class Crossing_cones {
  public:
   using Triangle = Cone_triangle<N>;
   using Crossing = Edge_crossing<N>;
 
-  /// Adds the part of the edge qr that is in the other solid, between its crossings. `ends_inside` tells of r.
+  /// Adds the cone over the part of edge qr in the other solid, by its crossings from q to r. `ends_inside`: r is
+  /// inside.
   void add_edge(const Triangle& face, const std::vector<Crossing>& crossings, bool ends_inside)
   {
     if (ends_inside) add_whole(face);

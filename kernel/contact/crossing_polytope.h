@@ -31,15 +31,15 @@ struct Translation_box {
 /// The translations v for which piece a of A, moved by v, shares a point with piece b of B. They are the Minkowski
 /// difference b - a. Where the planes of the pieces are not parallel, a goes through b for every v in its inside.
 ///
-/// It is kept as half-spaces n . v < limit, of which those are left out that hold all of a ball about 0. Numbers are
-/// rounded; `inner` is a limit that is surely small enough, `outer` one that is surely large enough.
+/// It keeps half-spaces n . v < limit. It drops those that hold all of a ball about 0. Numbers are rounded; `inner` is
+/// a limit that is surely small enough, `outer` one that is surely large enough.
 class Crossing_polytope {
  public:
   /// Requires a block of upward rounding. With pieces that are not bounded (`are_bounded` is false), it holds no
   /// translation and may meet every box. `radius` is an upper bound of the ball's radius. Translations that are asked
-  /// for have coordinates of at most `most`. `exactly` tells of the exact pieces. `is_zero(axis)` says whether an axis
-  /// is the direction 0. `is_outside_ball(axis, sign)` says whether the plane of a half-space does not cut the open
-  /// ball.
+  /// for have coordinates of at most `most`. `exactly` answers questions about the exact pieces. `is_zero(axis)` says
+  /// whether an axis is the direction 0. `is_outside_ball(axis, sign)` is true when a half-space's plane misses the
+  /// open ball.
   template <class Exactly>
   Crossing_polytope(const Rounded_piece& a, const Rounded_piece& b, bool are_bounded, double radius, double most,
                     const Exactly& exactly)
@@ -79,7 +79,7 @@ class Crossing_polytope {
   /// True when the polytope surely has no point in the ball.
   bool is_beyond() const { return is_beyond_; }
 
-  /// False when it surely has no translation of the box. A quick test, by the least box around it.
+  /// False when it surely has no translation of the box. It is a quick test, by the least box around the polytope.
   bool is_near(const Translation_box& box) const
   {
     for (std::size_t k = 0; k < 3; ++k)
@@ -123,7 +123,7 @@ class Crossing_polytope {
            double most, const Exactly& exactly)
   {
     Half_space h;
-    // What a product with the rounded normal may be off, for all translations that are asked for.
+    // Upper bound of the error of a product with the rounded normal, for all translations that are asked for.
     Interval off = 0, magnitude = 0, square = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Interval x = sign > 0 ? n[k] : -n[k];

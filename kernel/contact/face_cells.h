@@ -19,7 +19,7 @@ class Face_cells {
  public:
   using Edge = Rational_face::Edge;
 
-  /// Requires a face with a plane. `may_cross` is that of `Plane_slabs`.
+  /// Requires a face with a plane. `may_cross` is passed on to `Plane_slabs`.
   Face_cells(const Rational_face& face, const std::vector<Edge>& cuts, bool may_cross = true)
       : axis_(face.axis()), plane_(axis_, std::array{&face.edges(), &cuts}, may_cross)
   {

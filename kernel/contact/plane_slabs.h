@@ -13,9 +13,9 @@
 
 namespace tetracone::kernel::detail {
 
-/// Segments of one plane, cut into slabs. Coordinates are the plane's, sheared so that no segment is upright. Slabs lie
-/// between the x of neighbouring ends and crossings. Segments cross a slab from left to right in an order that does not
-/// change within it.
+/// Segments of one plane, cut into slabs. Coordinates are the plane's, sheared so that no segment has both ends at one
+/// x. Slabs lie between the x of neighbouring ends and crossings. Segments cross a slab from left to right in an order
+/// that does not change within it.
 class Plane_slabs {
  public:
   using Edge = Rational_face::Edge;
@@ -45,8 +45,8 @@ class Plane_slabs {
     bool coincides(const Crossing& other) const { return y_left == other.y_left && y_right == other.y_right; }
   };
 
-  /// Cuts the plane with a normal that is not 0 along `axis` by lists of segments. A segment may be a point. Unless
-  /// they `may_cross`, no two of them share a point that is inside both, except on one line.
+  /// Cuts a plane by lists of segments. Its normal's component `axis` is not 0. A segment may be a point. Requires,
+  /// unless `may_cross`, that segments on different lines share no inner point.
   Plane_slabs(int axis, std::span<const std::vector<Edge>* const> lists, bool may_cross = true) : axis_(axis)
   {
     choose_shear(lists);

@@ -34,8 +34,7 @@ class Line_contact {
     stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
   }
 
-  /// Returns the pieces in the line's order. Stops are all points of the line where a face or one of its edges begins
-  /// or ends.
+  /// Returns the pieces in the line's order. Stops are all points of the line where a face or an edge begins or ends.
   std::vector<Rational_piece> operator()() const
   {
     std::vector<Rational_piece> pieces;
@@ -123,9 +122,8 @@ inline bool add_crossings(const Rational_face& face, int of, const Rational_face
   return true;
 }
 
-/// Returns the segments that the insides of two faces share, in the order of the first coordinate that differs. These
-/// faces have no corner on the plane of the other, and no common point of edges. Nothing for other faces. It looks at
-/// no point twice, which `Line_contact` does to find features.
+/// Returns the segments that the insides of two faces share, in lexicographic order. Returns nothing where a corner on
+/// the other's plane, or two crossings at one point, prevent that. It looks at no point twice, unlike `Line_contact`.
 inline std::optional<std::vector<Rational_piece>> crossing_pieces(const Rational_face& p, const Rational_face& q)
 {
   std::vector<Plane_crossing> on_line;
@@ -165,8 +163,8 @@ inline std::vector<Rational_piece> pieces_on_line(const Rational_face& p, const 
 
 }  // namespace detail
 
-/// Returns the set that two closed faces share, in maximal pieces. Polygons come first, where they are in one plane,
-/// then segments and points that no polygon holds. Faces may have holes, cross or touch themselves, and be degenerate.
+/// Returns the set that two closed faces share, in maximal pieces. Polygons, of faces in one plane, come first; then
+/// segments and points that no polygon holds. Faces may have holes, cross or touch themselves, and be degenerate.
 inline std::vector<Rational_piece> face_contact(const Rational_face& p, const Rational_face& q)
 {
   if (!p.has_plane() || !q.has_plane()) {

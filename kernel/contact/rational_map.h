@@ -32,7 +32,7 @@ class Rational_map {
   /// Returns the image of a vertex.
   Rational_point operator()(const Vertex& v) const { return image(v, m_); }
 
-  /// Returns M x + s t.
+  /// Returns M x + s t: s times the image of x / s.
   Rational_point operator()(const Rational_point& x, const Rational& s) const
   {
     Rational_point image;

@@ -16,7 +16,7 @@
 /// By how much a convex polygon of A has to rise for it to meet one of B.
 ///
 /// Heights are along z, as in `Direction_view`. N is `Rational`, or `Interval` in a block of upward rounding. Rounded
-/// pieces give intervals that are a little wider, and cost a fraction.
+/// pieces give intervals that are a little wider, and take a fraction of the time.
 namespace tetracone::kernel {
 
 /// A convex polygon with area: its corners in order, of which no three are on one line.
@@ -35,12 +35,12 @@ inline bool is_bounded(const Convex_piece<Interval>& piece)
   return true;
 }
 
-/// A piece in rounded numbers, and what they may be off.
+/// A piece in rounded numbers, with upper bounds of their errors.
 struct Rounded_piece : Convex_piece<double> {
   Corner_errors errors;
 
   Rounded_piece() = default;
-  /// Requires a block of upward rounding, and a piece that is bounded.
+  /// Requires a block of upward rounding, and a piece that `is_bounded`.
   explicit Rounded_piece(const Convex_piece<Interval>& piece)
   {
     count = piece.count;
@@ -150,7 +150,7 @@ struct Allowed {
     high = of_b.high - of_a.low;
   }
 
-  /// Encloses what the axis allows. `errors` are those of both pieces.
+  /// Encloses what the axis allows. `errors` hold for both pieces.
   Allowed(const Shift_axis& axis, const Rounded_piece& a, const Rounded_piece& b,
           const Corner_errors& errors) requires std::is_same_v<N, Interval>
   {
@@ -214,7 +214,7 @@ class Shift_range {
     restrict_to_all(a, b, [&](const Shift_axis& axis) { return detail::Allowed<N>(axis, a, b); });
   }
 
-  /// Requires pieces that are bounded.
+  /// Requires a block of upward rounding, and pieces that are bounded.
   Shift_range(const Rounded_piece& a, const Rounded_piece& b) requires std::is_same_v<N, Interval>
   {
     const Corner_errors errors(a.errors, b.errors);
@@ -226,7 +226,7 @@ class Shift_range {
   /// True when there surely is one. In rationals one of the two is true.
   bool is_certain() const { return is_certain_; }
   /// Return bounds of the least and of the largest s. `high().most` and `low().least` are bounds even where
-  /// `is_certain` is false; the other two are not. Nothing where no bound is known, which cannot be in rationals.
+  /// `is_certain` is false; the other two are not. Nothing where no bound is known; in rationals only if `is_empty`.
   const std::optional<End>& low() const { return low_; }
   const std::optional<End>& high() const { return high_; }
 

@@ -115,7 +115,7 @@ class Body_motion {
   /// Returns the poses at both ends of a linear motion; nothing for a rigid one.
   const std::optional<std::array<Pose, 2>>& ends() const { return ends_; }
 
-  /// Returns what a rigid motion is between. Requires `is_rigid()`.
+  /// Returns the poses at both ends of a rigid motion. Requires `is_rigid()`.
   const std::array<Rigid_pose, 2>& rigid_ends() const { return rigid_ends_; }
 
   /// True when M(t) / w(t) is a rotation all the time.
@@ -193,8 +193,8 @@ class Pair_motion {
   /// Returns a factor of the volume of four points (see `Exact_motion`); empty unless both motions are rigid.
   const Integer_form& square() const { return square_; }
 
-  /// Returns the least of `least` and the exponents of the coordinates. The exponent is that of the power of two that a
-  /// coordinate is an odd multiple of.
+  /// Returns the least of `least` and the exponents of the coordinates. A coordinate has the exponent e if it is an odd
+  /// multiple of 2^e.
   static int exponent_of(const Vertex& v, int least = 0)
   {
     for (const double x : v) least = minimum(least, Odd_double(x).exponent);

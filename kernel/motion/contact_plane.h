@@ -114,7 +114,7 @@ class Contact_plane {
   }
 
   /// True when a vertex of a body is on the body's side until the features meet, exactly. For the body whose side is
-  /// closed (`low_`) it may also be on the plane, all the time or at the start. False also where that is not known.
+  /// closed (`low_`) it may also be on the plane, all the time or at the start. False also where this is not known.
   bool holds(int body, const Vertex& v)
   {
     Told& last = last_[body];
@@ -127,7 +127,7 @@ class Contact_plane {
     return last.holds;
   }
 
-  /// True when that is known without an integer: the last vertex asked about was held, and has the same heights.
+  /// True when `holds` is known to be true without integers: it held the last vertex, which has equal heights.
   bool is_held_as_last(int body, const Vertex& v) const
   {
     return last_[body].is_known && last_[body].holds && is_as_high(body, v, last_[body].vertex);
@@ -161,8 +161,7 @@ class Contact_plane {
     return same;
   }
 
-  /// Returns the height over a point times 2^-least, by the form of the plane. Requires least <= exponent_of(v), and at
-  /// most 0.
+  /// Returns the height over a point times 2^-least, by the form of the plane. Requires least <= exponent_of(v).
   const Integer_form& sum_at(int body, const Vertex& v, int least)
   {
     sum_.clear(height_[body][3].size());
@@ -179,7 +178,7 @@ class Contact_plane {
 
   Times_before* times_;
   int low_;                                            // the body whose vertices may be on the plane
-  CGAL::Sign sense_ = CGAL::ZERO;                      // of heights of the other one
+  CGAL::Sign sense_ = CGAL::ZERO;                      // the sign of the other body's heights
   std::array<std::array<Integer_form, 4>, 2> height_;  // of either body: x, y, z and 1
   std::array<std::array<bool, 3>, 2> is_level_;        // where height_ is zero
   std::array<Told, 2> last_;

@@ -52,7 +52,7 @@ inline bool add_control_poses(const Body_motion::Forms& forms, int halvings, std
 /// Returns poses whose images hold a moving body. At every time in [0, 1], each point of it is in the hull of the
 /// point's images under these. The body need not take these poses, and det M may be 0.
 ///
-/// For a linear motion they are both ends. For a rigid one they are the coefficients of M and v over those of w, in
+/// For a linear motion they are both ends. For a rigid one they are the coefficients of M and v over w's, in
 /// Bernstein's basis. Where the coefficients of w are positive, the place at any time is a weighted mean of such
 /// images. The time is halved until they are positive, and until no M has an entry above 2. (A rotation has none above
 /// 1.) Returns nothing where 24 nested halvings do not suffice, and where an entry is beyond all doubles.

@@ -62,7 +62,7 @@ inline bool meet_in_motion(const Moving_pair& pair)
 }
 
 /// Returns the doubles that enclose the first time at which the closed primitives share a point; nothing where they
-/// never do. It is exact. The requirements are those of `meet_in_motion`.
+/// never do. It is exact. It requires what `meet_in_motion` does.
 inline std::optional<Time_bounds> first_contact_time(const Moving_pair& pair)
 {
   if (filtered_contact(pair) == Moving_contact::apart) return std::nullopt;

@@ -37,7 +37,7 @@ class Integer_form {
   std::size_t size() const { return coefficients_.size(); }
   const Integer& operator[](std::size_t k) const { return coefficients_[k]; }
 
-  /// Requires a form that is not empty.
+  /// Return the values at t = 0 and at t = 1. Require a form that is not empty.
   const Integer& at_start() const { return coefficients_.front(); }
   const Integer& at_end() const { return coefficients_.back(); }
 

@@ -35,8 +35,8 @@ inline Integer_form cross_form(const Form_vector& a, const Form_vector& b, std::
 /// of the three turns have opposite signs. It must also be in the triangle's box. Closed segments meet where neither
 /// has both ends of the other strictly on one side, and their boxes overlap. The boxes decide where all turns vanish.
 ///
-/// The times of contact are a closed set. So the first of them is the first time asked about or a root. The root is one
-/// of the volume or, where that is zero all the time, of another form.
+/// The times of contact are a closed set. So the first of them is the first time asked about or a root. The root
+/// belongs to the volume or, where that is zero all the time, to another form.
 class Exact_motion {
  public:
   explicit Exact_motion(const Moving_pair& pair) : Exact_motion(pair.kind, points_of(pair), Integer_form()) {}
@@ -149,8 +149,7 @@ class Exact_motion {
     return motion_filter::scaled(coefficients);
   }
 
-  /// Returns the turns n1, n2, n3 along an axis, and their sum, which two edges need. They are made when first asked
-  /// for.
+  /// Returns the turns n1, n2, n3 along an axis, and their sum, for two edges. They are made when first asked for.
   const std::array<Integer_form, 4>& turns(std::size_t axis)
   {
     if (!turns_[axis]) {

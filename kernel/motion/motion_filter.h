@@ -67,7 +67,7 @@ Scaled<4, Number> scaled(const Cubic_form<Number>& q)
 
 inline double halved(double x) { return x * 0.5; }
 
-/// Returns the form over the second half of its time; `form` becomes that over the first.
+/// Returns the form over the second half of its time; `form` becomes the form over the first half.
 template <std::size_t N, class Number>
 Scaled<N, Number> halve(std::array<Number, N>& form)
 {
@@ -120,6 +120,7 @@ inline Moving_contact projected(Moving_kind kind, const std::array<Scaled<3>, 4>
   return other < 0 && n1 * n3 > 0 ? Moving_contact::meet : Moving_contact::uncertain;
 }
 
+/// Returns whether the primitives meet in the span, which is halved up to `halvings_left` times.
 inline Moving_contact decide(Moving_kind kind, Volume known, Span span, const Errors& errors, int halvings_left)
 {
   if (known == Volume::unknown && certain_sign(span.volume, errors.volume) != 0) return Moving_contact::apart;
@@ -141,8 +142,7 @@ inline Moving_contact decide(Moving_kind kind, Volume known, Span span, const Er
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t k = 0; k < 4; ++k) second.turns[axis][k] = halve(span.turns[axis][k]);
   const Moving_contact before = decide(kind, known, span, errors, halvings_left - 1);
-  // After an uncertain first half, only a contact in the second would decide, which is rare. So the second is not
-  // looked at.
+  // After an uncertain first half, only a contact in the second would decide, which is rare. So it is not looked at.
   if (before != Moving_contact::apart) return before;
   return decide(kind, known, second, errors, halvings_left - 1);
 }
@@ -190,7 +190,7 @@ inline Forms forms(const Moving_pair& pair)
 }  // namespace motion_filter
 
 /// True where the boxes of the primitives are apart along an axis at both ends, all differences of one sign: then all
-/// the time. Comparisons of doubles alone, so exact.
+/// the time. It compares doubles alone, so it is exact.
 inline bool apart_along_an_axis(const Moving_pair& pair)
 {
   for (std::size_t axis = 0; axis < 3; ++axis) {

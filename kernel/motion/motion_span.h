@@ -78,7 +78,8 @@ class Motion_span {
   /// difference of opposite signs (verify/proofs/motion_proofs.h).
   static constexpr double rounding_of_times = 0x1p-50;
 
-  /// The maps of both bodies' local points. B's has the offset from A's origin to its own.
+  /// The maps of both bodies' local points. `offset` leads from the place of A's local origin to the place of B's.
+  /// `weight` is their divisor, up to a power of two.
   struct Maps {
     std::array<std::array<Vertex, 3>, 2> row;
     Vertex offset;
@@ -128,7 +129,7 @@ class Motion_span {
   }
 
   /// Returns the span that is all of the time, where every point of both moves on a line between poses of doubles.
-  /// Returns nothing where these are fractions, or near the ends of the doubles' range.
+  /// Returns nothing for poses of fractions, and for numbers near the ends of the doubles' range.
   static std::optional<Motion_span> of_lines(const std::array<Pose, 2>& a, const Motion_units& in_a,
                                              const std::array<Pose, 2>& b, const Motion_units& in_b)
   {
@@ -208,15 +209,15 @@ class Motion_span {
     return points;
   }
 
-  /// Returns the times at which the hulls of points, of A and of B, may meet as the axis tells. Along an axis so short
-  /// or so long that products may be lost, that is all the time.
+  /// Returns the times at which the hulls of points, of A and of B, may meet, as far as this axis tells. Along an axis
+  /// so short or so long that products may be lost, these are all times.
   template <std::size_t n, std::size_t m>
   Time_window near_along(const Vertex& axis, const Points<n>& a, const Points<m>& b) const
   {
     return near_by(axis, [&](std::size_t i) { return std::array{range(axis, a[i]), range(axis, b[i])}; });
   }
 
-  /// Returns the times at which two boxes may meet as the axis tells.
+  /// Returns the times at which two boxes may meet, as far as this axis tells.
   Time_window near_along(const Vertex& axis, const Moving_box& a, const Moving_box& b) const
   {
     return near_by(axis, [&](std::size_t i) {
@@ -282,6 +283,7 @@ class Motion_span {
     return {along(0), along(1), along(2)};
   }
 
+  /// Returns the image of a body's local vector by the linear part of its map.
   static Vertex direction(const Maps& maps, int body, const Vertex& v)
   {
     return {dot(maps.row[body][0], v), dot(maps.row[body][1], v), dot(maps.row[body][2], v)};

@@ -20,7 +20,7 @@ struct Rotation_quaternion {
   double error;  ///< the largest difference of an entry from the quaternion's rotation, rounded to nearest; 0: none
 };
 
-/// The largest difference of an entry from that of a rotation. Matrices that were written with six digits are nearer.
+/// The largest difference of an accepted matrix's entry from a rotation's. Matrices written with six digits are nearer.
 constexpr double rotation_tolerance = 1e-5;
 
 namespace detail {

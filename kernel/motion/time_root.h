@@ -50,7 +50,7 @@ class Time_root {
   /// Returns the cell that holds this time, or begins with it where it is dyadic.
   Time_cell cell() const { return {m_, k_}; }
 
-  /// Returns a cell like that of `cell()`, but far smaller where doubles find one. May refine the cell.
+  /// Returns `cell()` after making the cell far smaller, where doubles find a smaller one.
   Time_cell close_cell()
   {
     if (!exact_) refine_at_once();
@@ -136,7 +136,7 @@ class Time_root {
   /// compared with it are nearer.
   static constexpr unsigned halvings_at_once = 24;
 
-  /// Returns a form in double, times a power of two that makes its largest coefficient at most 1. Each coefficient is
+  /// Returns a form in double, times a power of two that makes its largest coefficient at most 1. Coefficients are
   /// truncated.
   static std::vector<double> rounded(const Integer_form& form)
   {

@@ -33,8 +33,7 @@ struct Double_double_ball {
   /// `high_rounding`: verify/proofs/nearest_proofs.h.
   static constexpr double high_rounding = 4 * u;
 
-  /// Return the radius of a sum and of a product, by magnitudes and radii of both numbers and the magnitude of the
-  /// result.
+  /// Return the radius of a sum and of a product, by magnitudes and radii of both numbers and the result's magnitude.
   template <class Number>
   static Number radius_of_sum(const Number& x_radius, const Number& y_radius, const Number& sum)
   {
@@ -70,7 +69,7 @@ struct Double_double_ball {
 };
 
 /// Returns the double nearest to top / sqrt(square), where the quotient surely lies between the midpoints to both
-/// neighbours. Returns nothing elsewhere, and outside 2^-900 to 2^900. Requires that both are positive.
+/// neighbours. Returns nothing elsewhere, and outside 2^-900 to 2^900. Requires top > 0 and square > 0.
 inline std::optional<double> nearest_over_root(const Double_double_ball& top, const Double_double_ball& square)
 {
   const Double_double_ball top_square = top * top;

@@ -96,7 +96,7 @@ struct Fixed_integer {
 };
 
 /// Returns the product, which always fits. A negative number is its digits, as a number without sign, less a power of
-/// two: 2^(64 n) for a, 2^(64 m) for b. The product is that of the digits, less b's digits at limb n where a is
+/// two: 2^(64 n) for a, 2^(64 m) for b. The result is the digits' product, less b's digits at limb n where a is
 /// negative. Where b is, a's digits at limb m are subtracted. The product of both powers is beyond the last limb.
 ///
 /// A part of the digits' product is a product of two digits, a digit and a carry: at most (2^64 - 1)^2 + 2 (2^64 - 1),
@@ -136,7 +136,7 @@ struct Binary_number {
   Fixed_integer<limbs> integer;
   int exponent = 0, bits = 0;  ///< bits: 0 for the number 0
 
-  /// The `bits` of a number that is too wide to be one. Sums of some such do not overflow.
+  /// The `bits` of a number that does not fit. Sums of a few such `bits` do not overflow.
   static constexpr int too_wide = 1 << 26;
 };
 
@@ -148,7 +148,7 @@ struct Fixed_numbers {
   std::array<Fixed_integer<limbs>, count> integer;
   int exponent = 0, bits = 0;  ///< bits: 0 where all are 0, too wide where they do not fit
 
-  /// Returns the numbers, exactly.
+  /// Returns the numbers, exactly; `bits` is too wide where they do not fit.
   template <int from>
   static Fixed_numbers of(const std::array<Binary_number<from>, count>& numbers)
   {
@@ -168,8 +168,8 @@ struct Fixed_numbers {
   }
 };
 
-/// Returns doubles, exactly; infinity and NaN are too wide. It has no branch a number, since zeros come and go
-/// unpredictably among the coordinates of a vertex.
+/// Returns the doubles as integers times one power of two, exactly; `bits` is too wide for infinity and NaN. It does
+/// not branch on a number, since zeros are unpredictable among the coordinates of a vertex.
 template <std::size_t count>
 [[gnu::always_inline]] inline Fixed_numbers<count> fixed_numbers(const std::array<double, count>& numbers)
 {

@@ -36,8 +36,7 @@ template <class Number>
 inline constexpr Number unit_roundoff = std::numeric_limits<Number>::epsilon() / 2;
 
 /// The largest magnitude at which signs are decided in rounded arithmetic. It applies to coordinates, to the sum of
-/// terms of an image's coordinate, and to entries in det M. Up to it neither images nor determinants nor their bounds
-/// overflow.
+/// terms of an image's coordinate, and to entries in det M. Up to it no image, determinant or bound overflows.
 inline constexpr double magnitude_gate = 0x1p110;
 
 /// The term that bounds in double add for gradual underflow (verify/test/verify/proofs/bound_proofs.cpp). A product

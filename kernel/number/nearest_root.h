@@ -49,8 +49,8 @@ inline double nearest_root(const Rational& square) { return nearest_root(square.
 /// double, else neighbours. The upper one is infinite where the sum exceeds all doubles.
 ///
 /// Rational roots are added exactly: they may sum up to a double, as 1/3 and 2/3 do. The others are scaled by 2^k and
-/// rounded down. More bits are taken until the sum and the number of these roots leave no double within. This ends: a
-/// sum of irrational roots, which are positive, is no rational number.
+/// rounded down. Each adds less than one unit of 2^-k, which gives the upper bound. k is doubled until no double lies
+/// between the bounds. This ends: a sum of irrational roots, all positive, is irrational.
 inline std::array<double, 2> enclosed_root_sum(std::span<const Rational> squares)
 {
   Rational exact = 0;

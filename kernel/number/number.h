@@ -19,8 +19,7 @@
 
 namespace tetracone::kernel {
 
-/// An exact rational number, GMP's own, in lowest terms. Every finite double is one, and so is every fraction n/d of a
-/// pose.
+/// An exact rational number, GMP's own, in lowest terms. Every finite double is one, and so is a pose's fraction n/d.
 using Rational = mpq_class;
 
 namespace detail {
@@ -92,10 +91,10 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
   return Rational(decimal(numerator) / divisor);
 }
 
-/// Returns a fraction of few digits that compares with every double (less, equal or greater) as `value` does.
+/// Returns a fraction of few digits that compares with every double (less, equal or greater) as top / bottom does.
 ///
-/// `value` is scaled by a power of two so that its integer part has 127 or 128 bits. That is more than the largest
-/// double has places before its last bit is known. One bit more tells whether something is left.
+/// The fraction is scaled by a power of two so that its integer part has 128 or 129 bits. Doubles of its magnitude are
+/// then integers. One bit more tells whether the division left a remainder.
 inline Rational shortened(const mpz_class& top, const mpz_class& bottom)
 {
   const long bits = long(mpz_sizeinbase(top.get_mpz_t(), 2)) - long(mpz_sizeinbase(bottom.get_mpz_t(), 2));

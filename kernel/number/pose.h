@@ -83,7 +83,7 @@ class Pose {
     return Pose(entries);
   }
 
-  /// Returns the nearest double of each entry.
+  /// Returns the map as an Eigen transform, each entry rounded to the nearest double.
   template <class Map = Eigen::Affine3d>
   Map to_eigen() const
   {
@@ -132,7 +132,7 @@ class Pose {
   CGAL::Mpzf whole(int k) const { return fractions_ ? fractions_->whole[k] : CGAL::Mpzf(entries_[k]); }
   CGAL::Mpzf weight() const { return fractions_ ? fractions_->weight : CGAL::Mpzf(1); }
 
-  /// Return the integers of `whole` and `weight`, or what says that they are too wide. Requires `is_rational()`.
+  /// Return the integers of `whole` and `weight`; their `bits` tell where they are too wide. Requires `is_rational()`.
   const Fixed_map& fixed_map() const { return fractions_->fixed; }
   const Binary_number<1>& binary_weight() const { return fractions_->binary_weight; }
 
@@ -167,6 +167,7 @@ class Pose {
   /// roundings of the permanent itself are included.
   static constexpr double determinant_rounding = 0x1p-49;
 
+  /// Returns an upper bound of the error of a computed determinant, from its computed permanent.
   template <class Number>
   static Number determinant_bound(const Number& permanent)
   {

@@ -28,7 +28,7 @@ namespace tetracone::kernel {
 ///   5. double-double;
 ///   6. exact, in numbers of any size.
 /// A sign of a point beyond the magnitude gate, of unknown error, goes from the zero exits straight to the fixed stage.
-/// After the zero exits, a volume sign of points that share one pose is that of their vertices, times sign(det M).
+/// After the zero exits, a volume sign of points under one pose is their vertices' volume sign times sign(det M).
 class Adaptive : public Adaptive_filter,
                  public Adaptive_zero_exits,
                  public Adaptive_grid,

@@ -18,10 +18,10 @@ namespace tetracone::kernel {
 class Adaptive_double_double : public Adaptive_points {
  public:
   // The expressions are the filter's, and so are the bounds except for their constants (adaptive_bounds.h). A
-  // difference of images is rounded too, so its error is that of both images and a fraction of itself. All bounds are
+  // difference of images is rounded too, so its error is the images' errors and a fraction of itself. All bounds are
   // computed in double and judge the high part, whose relative error is u.
 
-  /// Returns the image of a point, which its slot keeps.
+  /// Returns the image of a point, which its slot keeps if it has one.
   static Double_double_image kept_double_double_image(const Point_3& point)
   {
     if (point.slot == nullptr) return double_double_image(point);
@@ -30,6 +30,7 @@ class Adaptive_double_double : public Adaptive_points {
     return *image;
   }
 
+  /// Computes the image of a point in double-double, and the bound of its error.
   static Double_double_image double_double_image(const Point_3& point)
   {
     Double_double_image image{{}, 0};

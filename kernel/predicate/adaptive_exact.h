@@ -65,8 +65,8 @@ class Adaptive_exact : public Adaptive_points {
     return image;
   }
 
-  // Calls `function` with all exact images times the product of the poses' weights. This is a positive factor, which
-  // changes no sign.
+  // Returns `function` of all exact images, each times the product of the poses' weights. This is a positive factor,
+  // which changes no sign.
   template <class Function, class... Points>
   static CGAL::Sign over_exact_images(const Function& function, const Points&... points)
   {

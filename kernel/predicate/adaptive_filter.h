@@ -11,8 +11,7 @@
 
 namespace tetracone::kernel {
 
-/// The filter stage: the expression in double on the images. It decides when the value is beyond the bound of all
-/// rounding.
+/// The filter stage: the expression in double on the images. It decides when the value is beyond its error bound.
 class Adaptive_filter : public Adaptive_points {
  public:
   // With a^ = fl(p^ - p0^) the computed differences, m_k >= |a^_jk| and d >= error(p) + error(p0), the exact difference

@@ -23,7 +23,7 @@ namespace tetracone::kernel {
 /// apart, or fractions have many digits. It takes no longer than in double-double.
 class Adaptive_fixed : public Adaptive_points {
  public:
-  /// Upper bound of the bits of a coordinate of which the signs are computed, once all points have one exponent. See
+  /// The largest number of bits of a coordinate, once all points have one exponent, at which signs are computed. See
   /// `most_bits_of`.
   static constexpr int most_bits = 253;
 
@@ -159,8 +159,8 @@ class Adaptive_fixed : public Adaptive_points {
     }
 
    private:
-    /// The bits that coordinates may have in so many limbs. A difference has one bit more, the sum of six products of
-    /// three differences three more, and the sign another.
+    /// The largest number of bits of coordinates for which products fit in three times `limbs` limbs. A difference has
+    /// one bit more, the sum of six products of three differences three more, and the sign another.
     template <int limbs>
     static constexpr int most_bits_of = (3 * 64 * limbs - 4) / 3 - 1;
     static_assert(most_bits <= most_bits_of<Fixed_image::limbs>);
@@ -220,8 +220,7 @@ class Adaptive_fixed : public Adaptive_points {
     return point.pose != nullptr && point.pose->is_rational() ? point.pose->binary_weight() : one;
   }
 
-  /// Returns the image of a point, which its slot keeps. Without a slot it is place n that keeps it, until the next
-  /// sign.
+  /// Returns the image of a point, which its slot keeps. Without a slot, place n keeps it until the next sign.
   static const Fixed_image& kept_fixed_image(const Point_3& point, std::size_t n)
   {
     if (point.slot == nullptr) return fixed_image_at(n, point);

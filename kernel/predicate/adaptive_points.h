@@ -19,7 +19,7 @@
 namespace tetracone::kernel {
 
 /// The points of the adaptive kernel, each a vertex and the pose that places it. `image` and `error` enclose the exact
-/// image. All signs are those of exact images.
+/// image. All signs hold for the exact images.
 class Adaptive_points {
  public:
   using Decision = std::optional<CGAL::Sign>;  ///< nothing: undecided
@@ -45,8 +45,8 @@ class Adaptive_points {
 
   /// Returns `vertex` placed by `pose`, which must outlive the point.
   ///
-  /// Its error is `adaptive_bound::image` of the largest sum of its terms' magnitudes. A fraction that is rounded to a
-  /// denormal, or to 0, has an error of 2^-1075 instead. For vertices within the gate that stays far below
+  /// Its error is `adaptive_bound::image_bound` of the largest sum of its terms' magnitudes. A fraction that is rounded
+  /// to a denormal, or to 0, has an error of 2^-1075 instead. For vertices within the gate that stays far below
   /// `underflow_slack`. The error is not known where that sum, or a vertex under a pose of fractions, is beyond the
   /// gate.
   static Point_3 placed(const Vertex& vertex, const Pose& pose)

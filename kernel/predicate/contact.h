@@ -35,8 +35,7 @@ constexpr std::string_view to_string(Contact contact)
   return "none";
 }
 
-/// An edge of one of two bodies A and B and a face of the other that share a point. Ordered by its members, in their
-/// order.
+/// An edge of one of two bodies A and B and a face of the other that share a point.
 struct Feature_pair {
   int body;                 ///< 0: an edge of A and a face of B; 1: an edge of B and a face of A
   std::uint32_t edge_from;  ///< the edge's vertices, edge_from <= edge_to: an edge has no direction here,

@@ -40,7 +40,7 @@ struct Enclosed_distance {
   Ball_vector way;                  ///< the direction, enclosed
 
   // Upper bounds relative to the sum of the direction's magnitudes: verify/proofs/nearest_proofs.h.
-  static constexpr double most_radii = 0x1p-52,  ///< of the radii that are accepted
+  static constexpr double most_radii = 0x1p-52,  ///< of the radii of an accepted direction
       direction_error = 0x1p-51;  ///< of all errors of a direction: these radii, and a rounding of each coordinate
 };
 
@@ -77,6 +77,7 @@ inline std::optional<Ball_vector> way_to_triangle(const Ball_vector& x, const st
   return normal;
 }
 
+/// Returns the direction between two hulls, up to a factor of either sign; nothing where the functions above give none.
 inline std::optional<Ball_vector> way_between(const Ball_hull& a, const Ball_hull& b)
 {
   if (a.count > b.count) return way_between(b, a);

@@ -13,7 +13,7 @@ enum class Piece : std::uint8_t {
   polygon  ///< of coplanar faces
 };
 
-/// Returns the name that tables have: a polygon is "coplanar".
+/// Returns the name in tables: "point", "segment", or "coplanar" for a polygon.
 constexpr std::string_view to_string(Piece piece)
 {
   switch (piece) {

@@ -27,8 +27,8 @@ struct Exact_point {
 };
 
 /// The nearest points of two sets, and the direction m from A's to B's. It has m . a <= low for all points a of A's
-/// feature, and m . b >= high for all points b of B's. The squared distance is (high - low)^2 / m^2. Where the sets
-/// meet, low = high; where an edge crosses a face, both are 0 and bound nothing.
+/// feature, and m . b >= high for all points b of B's. The squared distance is top() / bottom() = (high - low)^2 / m^2.
+/// Where the sets meet, low = high; where an edge crosses a face, both are 0 and bound nothing.
 struct Exact_distance {
   Exact_vector direction;
   Exact_number low, high;
@@ -59,8 +59,7 @@ inline Exact_vector sum(const Exact_vector& v, const Exact_vector& w)
   return {v[0] + w[0], v[1] + w[1], v[2] + w[2]};
 }
 
-/// Returns the distance along a direction, from a point of A to one of B. The direction is turned so that B is beyond
-/// A.
+/// Returns the distance along a direction, from a point of A to one of B. It turns the direction so that B is beyond A.
 inline Exact_distance along(Exact_vector direction, const Exact_vector& a, const Exact_vector& b, Exact_point on_a,
                             Exact_point on_b)
 {

@@ -27,8 +27,8 @@ inline Point<Float> point<Float>(const Vertex& vertex)
   return {static_cast<float>(vertex[0]), static_cast<float>(vertex[1]), static_cast<float>(vertex[2])};
 }
 
-/// A pose as kernel K applies it (see `Pose`). Entries and images are in K's number type, so rounded where K rounds.
-/// The identity returns every point unchanged.
+/// A pose as kernel K applies it (see `Pose`). Entries and images are in K's number type, and are rounded where K
+/// rounds. The identity returns every point unchanged.
 template <class K>
 class Frame {
  public:

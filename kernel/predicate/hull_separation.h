@@ -25,10 +25,10 @@ using Rounded_vector = std::array<double, 3>;
 struct Hull_points {
   std::vector<Exact_vector> exact;
   std::vector<Rounded_vector> rounded;
-  std::optional<Exact_number> factor = {};  ///< of the rounded points
-  double largest = 0;                       ///< absolute value of a rounded coordinate
+  std::optional<Exact_number> factor = {};  ///< the points were multiplied by it and rounded
+  double largest = 0;                       ///< largest absolute value of a rounded coordinate
 
-  /// Rounds all points, multiplied by a factor, unless that is done.
+  /// Rounds all points, multiplied by a factor, unless they are.
   void round(const Exact_number& by)
   {
     if (factor && *factor == by && rounded.size() == exact.size()) return;
@@ -74,9 +74,9 @@ struct Hull_pair {
 };
 
 /// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Returns
-/// nothing where the search finds none in a few steps, or no such direction exists. The recession of A does not lead
-/// towards B along it. Source: E. G. Gilbert, An iterative procedure for computing the minimum of a quadratic form on a
-/// convex set, SIAM J. Control 4 (1966).
+/// nothing where no such direction exists, or 40 steps find none. Requires rounded points, in whose units `distance`
+/// is, and one recession for every A. The recession does not lead towards B along the direction. Source: E. G. Gilbert,
+/// An iterative procedure for computing the minimum of a quadratic form on a convex set, SIAM J. Control 4 (1966).
 inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair> pairs, double distance)
 {
   const auto middle = [](const Hull& hull) {
@@ -122,7 +122,7 @@ inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair
   return std::nullopt;
 }
 
-/// Returns the direction with integer components of at most so many bits.
+/// Returns a multiple of the direction, which is not 0, rounded to integers. The largest has the magnitude 2^bits.
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
 {
   const double largest = maximum(maximum(std::abs(direction[0]), std::abs(direction[1])), std::abs(direction[2]));
@@ -131,8 +131,8 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
   return whole;
 }
 
-/// Same, for a direction whose product with `recession` is not positive: that holds for the result exactly. The
-/// components are those along two directions across the recession, and against it.
+/// Same, for a direction whose product with `recession` is not positive; the result's exact product is not positive
+/// either. The integers are its components along two directions across the recession, and against it.
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, Exact_vector recession)
 {
   // Powers of 2 make the axes about as long as 1.
@@ -174,13 +174,13 @@ inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
   return *best;
 }
 
-/// A requirement for two hulls: they are apart, by more than the root of top / bottom, or by as much.
+/// A requirement for two hulls: they are apart by more than the root of top / bottom, or by just that if `or_equal`.
 struct Gap_rule {
   Exact_number top = 0, bottom = 1;
   bool or_equal = false;
   double rounded = 0;  ///< near the root, in rounded units
 
-  /// True when B is so far beyond A along m.
+  /// True when B is beyond A along m by the required distance.
   bool operator()(const Hull& a, const Hull& b, const Exact_vector& m) const
   {
     const Exact_number gap = extent(b, m, -1) - extent(a, m, 1);
@@ -190,7 +190,7 @@ struct Gap_rule {
   }
 };
 
-/// Returns the face of one loop through the corners; its plane is that of the first three.
+/// Returns the face of one loop through the corners. With `has_plane`, the first three corners span its plane.
 inline Exact_face exact_face(const Hull& hull, bool has_plane)
 {
   Exact_face face;
@@ -200,8 +200,8 @@ inline Exact_face exact_face(const Hull& hull, bool has_plane)
   return face;
 }
 
-/// Returns a direction m with m . start < min and m . end <= min over the corners of a face. The segment from start to
-/// end meets that face at its end alone. Nothing where the hull of the corners goes on to the other side.
+/// Returns a direction m with m . start < h and m . end <= h, where h is the least m . x of a face's corners x. So the
+/// segment from start to end meets the face at most at its end. Returns nothing where no candidate is such a direction.
 inline std::optional<Exact_vector> direction_of_first_touch(const Exact_face& face, const Exact_vector& start,
                                                             const Exact_vector& end)
 {
@@ -228,8 +228,8 @@ inline std::optional<Exact_vector> direction_of_first_touch(const Exact_face& fa
   return std::nullopt;
 }
 
-/// How a ray that meets a face goes through it: the winding number of the face's loops about the crossing, seen along
-/// the ray. Nothing where the ray meets an edge, or runs in the face's plane.
+/// Returns the winding number of a face's loops about a ray, as seen along it. Returns nothing where the ray meets an
+/// edge, or not the face's plane beyond its origin. `ray` is the ray as a face, cut beyond the body.
 inline std::optional<int> generic_crossing(const Exact_face& face, const Exact_vector& origin,
                                            const Exact_vector& direction, const Exact_face& ray)
 {

@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <optional>
 
-/// Exact signs, by integers of 128 bits, of points that lie on a common grid of 2^38 steps each way. Coordinates of few
-/// binary digits lie on one, as in models made by hand or by CAD. Points that meet exactly mostly have such.
+/// Exact signs, by integers of 128 bits, of points on a common grid of 2^38 steps in each direction. Models made by
+/// hand or by CAD mostly lie on one, and so do most points that touch exactly.
 namespace tetracone::kernel {
 
 /// Returns the coordinates as whole multiples, below 2^38, of a common power of two. Returns nothing where there is no

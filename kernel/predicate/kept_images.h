@@ -12,7 +12,7 @@
 
 namespace tetracone::kernel {
 
-/// An image of twice the digits.
+/// An image in double-double, and an upper bound of its error.
 struct Double_double_image {
   std::array<Double_double, 3> coordinate;
   double error;  ///< per coordinate; infinite: not known
@@ -24,7 +24,7 @@ struct Fixed_image {
 
   std::array<Fixed_integer<limbs>, 3> coordinate;
   int exponent = 0;
-  int bits = 0;  ///< each coordinate is below 2^bits; undefined ones are `too_wide`
+  int bits = 0;  ///< each coordinate is below 2^bits; undefined above `Adaptive_fixed::most_bits`
 };
 
 /// An exact image times the weight of its pose, in binary fractions of any width.

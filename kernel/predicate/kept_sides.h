@@ -10,9 +10,9 @@
 
 namespace tetracone::kernel {
 
-/// Returns what `sides<Adaptive>` returns for points of placed bodies. It is a cache: it mostly asks the stages after
-/// the filter only once for a plane and a point. Triangles that share a corner ask for the same sign again and again
-/// where bodies touch. A point's address stands for its image until `clear`.
+/// A cache of `sides<Adaptive>` for points of placed bodies. It mostly asks the stages after the filter once for a
+/// plane and a point. Triangles that share a corner ask for one sign again and again where bodies touch. A point's
+/// address stands for its image until `clear`.
 class Kept_sides {
  public:
   [[gnu::always_inline]] std::array<Sign, 3> operator()(const Corners<Adaptive>& triangle,

@@ -21,7 +21,7 @@ using Epeck = CGAL::Epeck;
 using Rational_kernel = CGAL::Simple_cartesian<Rational>;
 
 /// The properties of a kernel K that the algorithms need beyond CGAL's own functors.
-/// - `exact_signs`: the sign of unmoved points is that of the exact expression.
+/// - `exact_signs`: the sign of unmoved points is the exact expression's.
 /// - `exact_motion`: a placed point is the exact image, so that signs of placed points are exact too.
 /// - `Bound`: the number type of bounding volumes. Kernels with exact signs bound in double, rounded outward, so that
 ///   no answer depends on a rounded bound. The kernels that round bound without slack, in double; `Float` bounds in

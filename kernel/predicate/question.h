@@ -76,7 +76,7 @@ constexpr std::string_view to_string(Solid_relation relation)
 /// The relation of two placed solids, and the dimension of the set that their surfaces share.
 struct Solid_contact {
   Solid_relation relation;
-  int dimension;  ///< of that set: 0 points alone, 1 a segment and no area, 2 an area; -1 where it is empty
+  int dimension;  ///< of the shared set: 0 points alone, 1 a segment and no area, 2 an area; -1 where it is empty
 
   /// True when both members are equal.
   friend bool operator==(const Solid_contact&, const Solid_contact&) = default;

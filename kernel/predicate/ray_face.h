@@ -24,8 +24,7 @@ namespace detail {
 inline bool is_zero(const Rational_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 inline Rational_vector coordinates(const Point<Rational_kernel>& p) { return {p.x(), p.y(), p.z()}; }
 
-/// Returns the least t >= 0 at which the ray meets the closed segment ab, which may be a point; nothing where it does
-/// not.
+/// Returns the least t >= 0 at which the ray meets the closed segment ab, which may be a point; nothing elsewhere.
 inline std::optional<Rational> ray_segment(const Rational_ray& ray, const Rational_vector& a, const Rational_vector& b)
 {
   const Rational_vector along = difference(b, a), to_a = difference(a, ray.origin), &d = ray.direction;

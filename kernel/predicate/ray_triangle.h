@@ -20,7 +20,7 @@ namespace tetracone::kernel {
 ///
 /// Let A, B, C be the corners less o and n = (B - A) x (C - A). Then t = N / D with N = n . A and D = n . d. The signs
 /// of det[d, A, B] and so on tell on which side d passes each edge. The sum of these determinants is D. d is scaled by
-/// a power of two to components of at most 2, one of at least 1; below, t is that of the scaled d.
+/// a power of two to components of at most 2, one of at least 1; below, t belongs to the scaled d.
 class Ray_triangle {
  public:
   enum class Meets { no, yes, uncertain };

@@ -35,7 +35,7 @@ Contact segment_segment(const Point<K>& p, const Point<K>& q, const Point<K>& a,
 {
   if (volume_sign<K>(p, q, a, b) != ZERO) return Contact::none;
 
-  // All four points are in one plane; an axis that keeps it is one that keeps some triangle of theirs.
+  // All four points are in one plane. A projection keeps it a plane if it keeps a triangle of three of them.
   int axis = projection_axis<K>(p, q, a);
   if (axis < 0) axis = projection_axis<K>(p, q, b);
   if (axis < 0) axis = projection_axis<K>(a, b, p);

@@ -70,7 +70,7 @@ namespace detail {
 
 /// Returns the winding number of the face's loops about a point y of its plane that lies on no loop. It is the signed
 /// count of the covering triangles W A B that hold y. `turn(A, B)` is the sign of the turn from A to B about y, and
-/// `side(A)` is that from W to A. Both are seen from one side of the plane. A point on an inner edge W A of the
+/// `side(A)` of the turn from W to A. Both are seen from one side of the plane. A point on an inner edge W A of the
 /// covering is moved off it. A side of ZERO counts as POSITIVE for every triangle at that edge. That is the effect of
 /// turning the ray from W through y by an infinitesimal.
 template <class K, Covered_face<K> Face, class Side, class Turn>
@@ -213,7 +213,7 @@ Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face)
 }
 
 /// Returns how the closed segment pq and the closed triangle abc meet. It is `segment_face` of the face that is its own
-/// covering, in at most five signs where nothing degenerate is met. The signs are those of the barycentric coordinates
+/// covering, in at most five signs where nothing degenerate is met. They are the signs of the barycentric coordinates
 /// of q in the tetrahedron p a b c. The triangle is between p and q when q's coordinate at p is not positive while
 /// those at a, b, c are not negative. `side_p` and `side_q` are the sides of p and q against the plane a b c.
 template <class K>

@@ -116,7 +116,7 @@ inline Sign difference_sign<Tolerant>(const Tolerant::Point_3& a, const Tolerant
 
 // --- what follows from them ------------------------------------------------------------------------------------------
 
-/// True when a and b have equal coordinates, as K tells it.
+/// True when K finds the coordinates of a and b equal.
 template <class K>
 bool coincide(const Point<K>& a, const Point<K>& b)
 {

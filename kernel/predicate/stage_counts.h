@@ -8,7 +8,7 @@
 
 namespace tetracone::kernel {
 
-/// The stages of the adaptive kernel, in the order in which they are asked.
+/// The stages of the adaptive kernel, in the order in which they are asked; but `out_of_gate` comes after `fixed`.
 enum class Adaptive_stage {
   filter,
   zero,         ///< found to be exactly 0 without arithmetic

@@ -17,8 +17,8 @@ bool is_in_tetrahedron(const Point<K>& p, const Point<K>& v0, const Point<K>& v1
          volume_sign<K>(v0, v1, v2, p) * volume != NEGATIVE;
 }
 
-/// True when p lies in the closed tetra-cone of the positively oriented tetrahedron v0 v1 v2 v3. Three of the four
-/// signs tell, those at v1, v2 and v3 (JS08 Definition 3 and section 2.2.1).
+/// True when p lies in the closed tetra-cone of the positively oriented tetrahedron v0 v1 v2 v3. The signs at v1, v2
+/// and v3 decide (JS08 Definition 3 and section 2.2.1).
 template <class K>
 bool is_in_tetra_cone(const Point<K>& p, const Point<K>& v0, const Point<K>& v1, const Point<K>& v2, const Point<K>& v3)
 {

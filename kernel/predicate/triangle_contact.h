@@ -170,7 +170,7 @@ class Coplanar_contact {
 }  // namespace detail
 
 /// Returns the set that two closed triangles share, by signs alone. It is exact when K's signs of these points are.
-/// Requires that neither is degenerate. `sides_of(triangle, points)` returns `sides<K>`.
+/// Requires that neither is degenerate. `sides_of(triangle, points)` returns what `sides<K>(triangle, points)` does.
 template <class K, class Sides_of>
 Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q, const Sides_of& sides_of)
 {

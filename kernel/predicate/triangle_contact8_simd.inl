@@ -174,8 +174,8 @@ HWY_INLINE unsigned bits_of(Mask mask)
 
 }  // namespace triangle_lanes
 
-/// Decides the lanes. The signs and their order are those of `triangle_contact`: see `detail::crossing_contact`. It
-/// does without MulAdd, so that all versions give equal bits.
+/// Implements `triangle_contacts8`. It takes the signs of `detail::crossing_contact`, in their order. It does without
+/// MulAdd, so that all versions give equal bits.
 inline HWY_ATTR void triangle_contacts8_simd(const Triangles8& triangles_p, const Pose& pose_p,
                                              const Triangles8& triangles_q, const Pose& pose_q,
                                              Triangle_contacts8& found)

@@ -28,14 +28,14 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
   return side;
 }
 
-/// Signs of which some are undecided.
+/// Signs of three points. A sign that is not decided is arbitrary.
 struct Some_sides {
   std::array<Sign, 3> side;
   std::array<bool, 3> is_decided;
   int decided() const { return is_decided[0] + is_decided[1] + is_decided[2]; }
 };
 
-/// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points.
+/// Returns the sides that the filter decides (see `Adaptive`), by one normal and one bound for the three points.
 ///
 /// It is inlined: its result would be packed into registers through the stack, which stalls on store forwarding.
 [[gnu::always_inline]] inline Some_sides filtered_sides(const Corners<Adaptive>& triangle,
@@ -67,8 +67,8 @@ struct Some_sides {
 
 namespace detail {
 
-/// Decides what is undecided by the other stages: a single point, and all three where two or more are undecided. These
-/// are counted (`Stage_counts`).
+/// Decides the undecided signs by the stages after the filter, or all three signs where two or more are undecided. The
+/// signs that it decides are counted (`Stage_counts`).
 inline void decide_others(Some_sides& sides, const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {
   const int decided = sides.decided();
@@ -147,7 +147,7 @@ std::optional<bool> coplanar_triangles_meet(const Corners<K>& p, const Corners<K
 /// q2 at the other. Triangles in one plane are parted by an edge, if at all; those without a plane are decided edge by
 /// edge.
 ///
-/// `sides_of(triangle, points)` returns `sides<K>`.
+/// `sides_of(triangle, points)` returns what `sides<K>(triangle, points)` does.
 template <class K, class Sides_of>
 bool triangles_meet(const Corners<K>& whole_p, const Corners<K>& whole_q, const Sides_of& sides_of)
 {

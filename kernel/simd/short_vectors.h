@@ -27,6 +27,7 @@ inline Two_doubles magnitudes(Two_doubles v)
 
 inline Four_floats abs(Four_floats v) { return magnitudes(v); }
 
+/// Return the vector with x in every lane.
 inline Four_floats four_times(float x) { return Four_floats{x, x, x, x}; }
 inline Two_doubles two_times(double x) { return Two_doubles{x, x}; }
 

@@ -126,7 +126,7 @@ struct Simd_version {
 };
 
 /// Returns the first of the versions whose target this processor has and Highway has not been told to leave out. Else
-/// it returns the last one, that of the static target.
+/// it returns the last one, for the static target.
 template <class Function>
 Function* fastest_version(std::initializer_list<Simd_version<Function>> versions)
 {

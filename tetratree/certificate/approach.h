@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-/// Points of a known side that lead up to a point, which show what is next to that point.
+/// Points inside or outside a solid, each with a free segment to a given point. They prove what is next to that point.
 namespace tetracone::tetratree {
 
 /// Appends a point that is inside of body `holder`, or outside, and a segment from it to x. The segment meets the
-/// surface at its end x at the earliest. It leads against `along` where that is given. False where none of some is
-/// such.
+/// surface at its end x at the earliest. It leads against `along` where that is given. False where none of the points
+/// that are tried has both.
 inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {
@@ -53,7 +53,7 @@ inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t h
   return false;
 }
 
-/// Appends why a point of the inner body is not in the interior of the other one.
+/// Appends a proof that a point of the inner body is not in the interior of the other one. False where none is found.
 inline bool add_border(std::string& text, const Placed_pair& pair, int inner, const Common_point& met)
 {
   const kernel::Rational_point x = rational(met.point, pair.weight);
@@ -89,7 +89,7 @@ inline std::vector<kernel::Rational_point> points_near(const Placed_pair& pair, 
   return points;
 }
 
-/// Appends why the interiors share a point just before A, moved along a direction, comes to its pose.
+/// Appends a proof that the interiors share a point just before A, moved along a direction, comes to its pose.
 inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::Rational_point& along)
 {
   std::string unused = "{";

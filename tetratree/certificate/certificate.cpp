@@ -143,8 +143,8 @@ void Certificate::Data::together(std::string& text, const kernel::Pose& pose_a, 
     fail_proof("no shell is inside of the other solid");
 }
 
-void Certificate::Data::apart(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
-                              Question question, const Rational& square, bool or_equal, const Nearest& nearest)
+void Certificate::Data::at_least_apart(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                                       Question question, const Rational& square, bool or_equal, const Nearest& nearest)
 {
   Placed_pair pair = placed(pose_a, pose_b);
   Rational_point way;
@@ -163,7 +163,7 @@ void Certificate::distance(const kernel::Pose& pose_a, const kernel::Pose& pose_
   std::string text = data_->begin("distance", pose_a, pose_b, question) + json_text(nearest.squared);
   data_->together(text, pose_a, pose_b, nearest);
   if (const Rational square(nearest.squared); square != 0)
-    data_->apart(text, pose_a, pose_b, question, square, true, nearest);
+    data_->at_least_apart(text, pose_a, pose_b, question, square, true, nearest);
   data_->keep(std::move(text));
 }
 
@@ -177,7 +177,7 @@ void Certificate::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   if (answer)
     data_->together(text, pose_a, pose_b, nearest);
   else if (sgn(exact_limit) >= 0)
-    data_->apart(text, pose_a, pose_b, question, exact_limit * exact_limit, false, nearest);
+    data_->at_least_apart(text, pose_a, pose_b, question, exact_limit * exact_limit, false, nearest);
   data_->keep(std::move(text));
 }
 

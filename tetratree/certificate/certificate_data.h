@@ -44,7 +44,7 @@ struct Certificate::Data {
   std::vector<std::string> answers;
   std::size_t without_proof = 0;
 
-  /// Returns the trees of both bodies.
+  /// Returns the trees of both bodies. Throws Error for a certificate of one body.
   std::array<tetratree::Group_tree*, 2> groups()
   {
     if (parts.size() != 2) tetratree::fail_proof("a question about two bodies; expected a certificate for two");
@@ -89,15 +89,15 @@ struct Certificate::Data {
     return false;
   }
 
-  /// Adds an answer. `leaves` are those at which the query found that the surfaces meet, if it says so.
+  /// Adds an answer. `leaves` is the pair of leaves at which the query found that the surfaces meet, if known.
   void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer,
                const std::optional<tetratree::Box_ids>& leaves);
 
-  /// Proves that the nearest points are where they are, or that one solid holds a part of the other.
+  /// Appends the nearest points and their faces, or a proof that one solid holds a shell of the other.
   void together(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Nearest& nearest);
-  /// Proves that the bodies are farther apart than the root of `square`, or as far.
-  void apart(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
-             const kernel::Rational& square, bool or_equal, const Nearest& nearest);
+  /// Appends a proof that the distance is above the root of `square`; with `or_equal`, that it is not below.
+  void at_least_apart(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                      const kernel::Rational& square, bool or_equal, const Nearest& nearest);
   /// Returns a face of the file that has the part which holds a nearest point.
   Index face_of(std::size_t body, const Holder& holder) const;
 

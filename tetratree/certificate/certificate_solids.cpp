@@ -76,7 +76,7 @@ bool Certificate::relation(const kernel::Pose& pose_a, const kernel::Pose& pose_
 
 namespace {
 
-/// Returns the poses, that of A moved by a vector.
+/// Returns the poses, with A moved by a vector.
 Placed_pair::Poses moved(Placed_pair::Poses poses, const Rational_point& by)
 {
   std::array<Rational, 12> entries;
@@ -85,7 +85,7 @@ Placed_pair::Poses moved(Placed_pair::Poses poses, const Rational_point& by)
   return poses;
 }
 
-/// Appends why the interiors share no point.
+/// Appends a proof that the interiors share no point. False where none is found.
 bool add_interiors_apart(std::string& text, Placed_pair& pair)
 {
   std::string unused = "{";

@@ -17,8 +17,8 @@
 
 namespace tetracone::tetratree {
 
-/// Calls each(v) for the corners v that may be the least (sign < 0) or the last along m. All others are behind one of
-/// them by more than all rounding.
+/// Calls each(v) for the corners v that may be the first (sign < 0) or the last (sign > 0) along m. All others are
+/// behind one of them by more than all rounding errors.
 template <class Each>
 void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign, const Each& each)
 {
@@ -40,7 +40,7 @@ void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign,
     if (!(kernel::dot(way, rounded[v]) < behind)) each(v);
 }
 
-/// A hull of the corners of another one that may be the last along a direction.
+/// A hull of those corners of another hull that may be the first or the last along a direction.
 class Last_corners {
  public:
   Last_corners(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign)
@@ -64,8 +64,8 @@ inline kernel::Exact_number extent_of(const kernel::Hull& hull, const kernel::Ex
   return kernel::extent(Last_corners(hull, m, sign).hull(), m, sign);
 }
 
-/// Does what kernel::direction_between does, for hulls of many corners. It searches with a few corners, and adds those
-/// that the direction found does not separate.
+/// Returns what kernel::direction_between returns, for hulls of many corners. It searches with a few corners, and adds
+/// those that the direction found does not separate. Nothing also where that takes too many rounds.
 inline std::optional<kernel::Rounded_vector> direction_by_few(std::span<const kernel::Hull_pair> pairs, double distance)
 {
   using kernel::Hull;
@@ -127,8 +127,8 @@ class Cover_search {
     return cover_.directions.size() - 1;
   }
 
-  /// True when holds(m) of a direction that is found; its number is then appended to the nodes. Directions of few bits
-  /// are tried first.
+  /// True when holds(m) for a direction m that is found; its number is then appended to the nodes. Directions of few
+  /// bits are tried first.
   template <class Holds>
   bool separates(std::span<const kernel::Hull_pair> pairs, double distance,
                  const std::optional<kernel::Exact_vector>& recession, const Holds& holds)
@@ -205,8 +205,8 @@ class Pair_cover {
     has_preferred_ = true;
   }
 
-  /// True when all pairs are covered. Else `common` is a point that two pieces share; nothing where the rule asks for
-  /// more than that they are apart. Throws Face_without_triangles.
+  /// True when all pairs are covered. Else `common` is a point that two pieces share; nothing where two pieces are
+  /// apart, but not as far as the rule asks. Throws Face_without_triangles.
   bool operator()() { return covers({}, {}); }
 
   Cover& cover() { return search_.cover(); }
@@ -267,7 +267,7 @@ class Pair_cover {
   std::optional<Common_point> common_;
 };
 
-/// What a cover of one body is about: a point, a segment from start to end, or a ray.
+/// The point, the segment from start to end, or the ray that one body is covered against.
 struct Probe {
   kernel::Exact_vector start;
   std::optional<kernel::Exact_vector> end;        ///< of a segment
@@ -277,7 +277,7 @@ struct Probe {
 /// Covers the pieces of a placed body against a probe.
 class Probe_cover {
  public:
-  /// What happened to a piece that the probe meets.
+  /// The result of meets(), for a piece that no direction separates from the probe.
   enum class Met { is_covered, stops };
 
   Probe_cover(Covered_body& body, Probe probe) : body_(&body), probe_(std::move(probe))

@@ -17,7 +17,7 @@ inline kernel::Rational_point rational(const kernel::Exact_vector& v)
   return {kernel::Rational(v[0]), kernel::Rational(v[1]), kernel::Rational(v[2])};
 }
 
-/// Returns the point in the coordinates of the bodies, of which those of `point` are `weight` times as large.
+/// Returns the point in the bodies' coordinates. The coordinates of `point` are `weight` times as large.
 inline kernel::Rational_point rational(const kernel::Exact_point& point, const kernel::Exact_number& weight)
 {
   const kernel::Rational by = kernel::Rational(point.weight) * kernel::Rational(weight);
@@ -39,7 +39,7 @@ inline mpz_class common_denominator(const kernel::Rational_point& x)
   return lcm(lcm(x[0].get_den(), x[1].get_den()), x[2].get_den());
 }
 
-/// Returns the direction in integers without a common factor.
+/// Returns the direction in integers without a common factor. Requires one other than 0.
 inline kernel::Rational_point in_lowest_terms(kernel::Rational_point m)
 {
   const mpz_class common = common_denominator(m);

@@ -17,11 +17,11 @@
 namespace tetracone::tetratree {
 
 /// The pieces of a body and their groups, as certificates name them: the elements and the boxes of its fast tree. It
-/// keeps which groups a proof has opened, for all proofs about the body.
+/// also keeps which groups the proofs about the body have opened.
 class Group_tree {
  public:
-  /// Numbers the pieces by faces. `source_face` tells for each face of the tree the face that it is a part of,
-  /// ascending. Makes all nodes. The tree must outlive this object.
+  /// Numbers the pieces by faces. `source_face` has for each face of the tree the face of the file that it is a part
+  /// of, ascending. Makes all nodes. The tree and `source_face` must outlive this object.
   Group_tree(const Bvh8& tree, std::span<const Index> source_face) : tree_(&tree), source_face_(source_face)
   {
     tree.make_all();
@@ -43,7 +43,7 @@ class Group_tree {
   /// What a cover needs of a group.
   struct Group {
     std::vector<std::uint32_t> corners;  ///< all vertices of its pieces, each once unless it is one piece
-    Index least_face;                    ///< of the source faces
+    Index least_face;                    ///< the least source face of its pieces
   };
 
   /// Returns the group of a box. The reference stays valid.

@@ -12,7 +12,7 @@
 
 namespace tetracone::tetratree {
 
-/// Covers the pairs of pieces of two bodies that move, over an interval of time.
+/// Covers the pairs of pieces of two bodies that move, over the times from 0 to an end.
 class Motion_cover {
  public:
   /// `may_touch_at_end`: the bodies may share points at the end of the interval, not before. No interval of at most
@@ -80,7 +80,7 @@ class Motion_cover {
     return true;
   }
 
-  /// Returns directions that may separate two pieces at a time: that of their nearest points, and the normals that part
+  /// Returns directions that may separate two pieces at a time: between their nearest points, and normals that part
   /// triangles which touch.
   static std::vector<kernel::Exact_vector> candidates(Placed_pair& pair, const std::array<Box_id, 2>& piece)
   {

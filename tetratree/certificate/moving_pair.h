@@ -32,8 +32,8 @@ class Moving_pair {
     return kept({time, time, 0}, [&] { return poses_at(time); });
   }
 
-  /// Returns both bodies at each coefficient of an interval, those of each coefficient on a scale of their own. The
-  /// result is valid until the next call.
+  /// Returns both bodies at each coefficient of an interval; each coefficient has its own scale. The result is valid
+  /// until the next call.
   std::vector<Placed_pair*> over(double from, double to)
   {
     if (placed_.size() * vertex_count() > most_points) placed_.clear();
@@ -60,7 +60,7 @@ class Moving_pair {
     return {motions_[0].at(kernel::Rational(time)), motions_[1].at(kernel::Rational(time))};
   }
 
-  /// Returns coefficient k, over the divisor at the begin of the interval.
+  /// Returns coefficient k, divided by the divisor at the begin of the interval.
   Poses poses_of(std::size_t k, double from, double to) const
   {
     // Times are binary fractions.

@@ -15,6 +15,7 @@
 
 namespace tetracone::tetratree {
 
+/// Throws Error for an answer that is not proved.
 [[noreturn]] inline void fail_proof(const std::string& what) { throw Error("certificate: " + what); }
 
 /// Integers without a pattern that a proof tries.
@@ -58,7 +59,7 @@ struct Placed_pair {
 
   std::array<Covered_body, 2> body;
   Poses pose;
-  kernel::Exact_number weight, rounding;  ///< of all coordinates; beyond it, of the rounded ones
+  kernel::Exact_number weight, rounding;  ///< the factor of all coordinates; a further one of the rounded ones
   Random_integers random;
 
   Placed_pair(const std::array<Group_tree*, 2>& groups, const Poses& poses)
@@ -92,19 +93,22 @@ struct Placed_pair {
   }
 };
 
+/// Appends a common point as a witness.
 inline void add_common(std::string& text, const Placed_pair& pair, const Common_point& common)
 {
   const kernel::Rational_point x = rational(common.point, pair.weight);
   add_witness(text, {x, x}, pair.source_faces(common.piece));
 }
 
+/// Throws Error for a face without triangles.
 [[noreturn]] inline void refuse_whole(const Group_tree& groups, Index face)
 {
   fail_proof("face " + std::to_string(groups.source_face(face)) +
              " has no triangles; expected a face whose loops don't cross");
 }
 
-/// Appends a cover of the pair, or a witness: then it returns the point that the surfaces share.
+/// Appends a cover of the pair, or a witness; then it returns the point that the surfaces share. Throws Error for a
+/// face that lacks triangles, and for faces that are apart but break the rule.
 inline std::optional<Common_point> cover_or_meet(std::string& text, Placed_pair& pair,
                                                  const kernel::Gap_rule& rule = {},
                                                  const std::optional<kernel::Exact_vector>& preferred = {})

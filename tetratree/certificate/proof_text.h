@@ -51,6 +51,7 @@ inline std::string json_text(std::string_view text)
   return quoted + "\"";
 }
 
+/// Returns a list of fractions, each a text.
 template <class Numbers>
 std::string strings_of(const Numbers& numbers)
 {
@@ -59,7 +60,7 @@ std::string strings_of(const Numbers& numbers)
   return text;
 }
 
-/// Appends the numbers that the input has given.
+/// Appends numbers of the input under a key.
 template <std::size_t size>
 void add_given(std::string& text, std::string_view key, const std::array<kernel::Rational, size>& numbers)
 {

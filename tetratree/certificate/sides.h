@@ -14,8 +14,8 @@
 /// Points of each side of two surfaces: inside of both solids, or of one alone.
 namespace tetracone::tetratree {
 
-/// Returns when the segment from `start` to `start + way` crosses planes of faces that it meets, ascending; 1 is its
-/// end.
+/// Returns the times at which a segment's line crosses planes of faces near the segment, ascending. The segment goes
+/// from `start`, at 0, to `start + way`, at 1.
 inline std::vector<kernel::Rational> crossing_times(Placed_pair& pair, const kernel::Exact_vector& start,
                                                     const kernel::Exact_vector& way)
 {
@@ -37,7 +37,7 @@ inline std::vector<kernel::Rational> crossing_times(Placed_pair& pair, const ker
   return times;
 }
 
-/// Returns a binary fraction near the middle of two numbers, and between them.
+/// Returns a binary fraction near the middle of two numbers, and between them. Requires low < high.
 inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::Rational& high)
 {
   mpz_class unit = 1;
@@ -49,8 +49,9 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
 /// Whether a point is inside of A, and of B.
 using Sides = std::array<bool, 2>;
 
-/// Appends a point for each of the sides, if some lines near a common point have them. All points between two crossings
-/// of a line are on one side. So points are found within the thinnest overlap.
+/// Appends a point for each of `wanted`, if some lines near a common point have one. All points between two crossings
+/// of a line are on one side. So points are found within the thinnest overlap. Returns whether all of `wanted` were
+/// found.
 inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Sides> wanted)
 {
   constexpr int most_lines = 96, lines_of_a_size = 4;
@@ -72,7 +73,7 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     rows.push_back(in_b->first);
   };
   for (int n = 0; n < most_lines && !wanted.empty(); ++n) {
-    // The lines are along the normals of both pieces, or anyhow.
+    // The lines are along the normals of both pieces, or random.
     kernel::Hull_points way, none;
     way.exact = {{kernel::Exact_number(pair.random(20)), kernel::Exact_number(pair.random(20)),
                   kernel::Exact_number(pair.random(20))}};

@@ -29,7 +29,7 @@ inline bool leads_free(std::string& text, const Placed_pair::Poses& start, const
   return add_all_windings(text, moving.at(0), inside == 0, inside == 1);
 }
 
-/// Returns a point near the mean of the corners of placed body k, and a length like that of the body.
+/// Returns a point near the mean of the corners of placed body k, and a length like the body's.
 inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pair, std::size_t k)
 {
   const auto& corners = pair.body[k].groups->group({}).corners;
@@ -45,7 +45,7 @@ inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pa
   return {{kernel::Rational(middle[0]), kernel::Rational(middle[1]), kernel::Rational(middle[2])}, size};
 }
 
-/// Returns directions that may part bodies which touch in two faces: normals of either, and of edges of both.
+/// Returns directions that may part bodies which touch in two faces: normals, and products of edges, in both senses.
 inline std::vector<kernel::Exact_vector> parting_directions(const std::array<kernel::Exact_face, 2>& face)
 {
   std::vector<kernel::Exact_vector> found;
@@ -68,7 +68,7 @@ inline bool leads_between(const kernel::Exact_vector& m, const kernel::Hull& a, 
 /// A body and a pose near its own.
 using Start = std::pair<std::size_t, kernel::Pose>;
 
-/// Returns where bodies may come from: smaller ones, or larger ones about another that they hold, and ones aside.
+/// Returns poses from which a body may come to its own: smaller, larger if it holds the other body, or aside.
 inline std::vector<Start> starts_of_ways(Placed_pair& pair, int inside, const Common_point& met)
 {
   std::vector<Start> starts;
@@ -115,8 +115,8 @@ inline bool add_way(std::string& text, Placed_pair& pair, int inside, const Comm
   return false;
 }
 
-/// Appends why the interiors share no point: a plane between the bodies, or a way of one without contact. `met` is a
-/// common point; where the surfaces share none, the way of a body that stays is free.
+/// Appends a proof that the interiors share no point: a plane between the bodies, or a way of one without contact.
+/// `met` is a common point; where the surfaces share none, the way of a body that stays is free.
 inline bool add_parted(std::string& text, Placed_pair& pair, const std::optional<Common_point>& met)
 {
   if (met)

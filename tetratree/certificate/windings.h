@@ -12,7 +12,7 @@
 namespace tetracone::tetratree {
 
 /// Finds the winding number of a point in a body by a ray that meets no edge. Appends the ray, the number and the
-/// cover. Nothing where no ray of some is such, as from a point of the surface.
+/// cover. Nothing where all rays that are tried meet edges, as from a point of the surface.
 inline std::optional<int> add_winding(std::string& text, Covered_body& body, const kernel::Exact_vector& x,
                                       Random_integers& random)
 {
@@ -82,7 +82,7 @@ inline const std::vector<Index>& shell_vertices(const Covered_body& body)
   return body.groups->tree().model().covering().shell_vertices();
 }
 
-/// Returns the row of a vertex of body k in the other one. Requires one that is not on its surface.
+/// Returns the row of a vertex of body k in the other one. Requires a vertex that is not on the other surface.
 inline Winding_row winding_of_vertex(Placed_pair& pair, int k, Index v)
 {
   auto row = winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact[v]);
@@ -90,8 +90,8 @@ inline Winding_row winding_of_vertex(Placed_pair& pair, int k, Index v)
   return *std::move(row);
 }
 
-/// Appends the winding number of a vertex of each shell of both bodies. True where those of A are all inside of B, or
-/// all outside, as `a_is_inside` says, and those of B in A.
+/// Appends the winding number of a vertex of each shell of both bodies. True where all shells of A are inside of B, or
+/// all outside, as `a_is_inside` says, and all shells of B by `b_is_inside`.
 inline bool add_all_windings(std::string& text, Placed_pair& pair, bool a_is_inside = false, bool b_is_inside = false)
 {
   std::vector<std::string> rows;

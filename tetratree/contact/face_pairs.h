@@ -37,7 +37,7 @@ struct Found_piece {
   Index kept = 0;                     ///< its index in `Found_contacts::kept`
 };
 
-/// All pieces, and the points of those that are stored in rationals.
+/// All pieces, and the loops of the pieces that are stored in rationals.
 struct Found_contacts {
   using Loops = std::vector<std::vector<kernel::Rational_point>>;
   std::vector<Found_piece> pieces;

@@ -28,9 +28,9 @@ class Self_pairs {
 
   /// True when signs of corners prove that the pair is proper; false where they do not.
   ///
-  /// The corners of a face that lies on one closed side of a plane span what it shares with that plane. Where this is a
-  /// segment for one face, or for both, the common points are in these segments. Faces of one plane are tried in the
-  /// same way against the lines of their edges.
+  /// If a face lies on one closed side of the other's plane, its corners on the plane span all that it shares with the
+  /// plane. If that is a segment for one face, or for both, the common points are in these segments. Faces of one plane
+  /// are tried in the same way against the lines of their edges.
   bool is_surely_proper(Index f, Index g) const
   {
     std::optional<Extent> held;
@@ -72,11 +72,11 @@ class Self_pairs {
   struct Extent {
     Index low = covering::none, high = covering::none;  // none: it is empty
   };
-  /// Where the corners of a face are about a plane, or about a line in the face's plane.
+  /// The position of a face's corners relative to a plane, or to a line in the face's plane.
   struct Along {
     bool is_across;     // some are on either side
     kernel::Sign side;  // ZERO: all are on it
-    Extent extent;      // of those on it, which are on one line unless all are on a plane
+    Extent extent;      // of the corners on it; they are on one line unless all are on a plane
   };
 
   const covering::Covering& covering() const { return model_.covering(); }
@@ -119,7 +119,7 @@ class Self_pairs {
     return has_edge(f, low, high) && has_edge(g, low, high);
   }
 
-  /// Returns where a face's corners are, by side(corner).
+  /// Returns the position of a face's corners, by side(corner).
   template <class Side>
   Along along(Index face, const Side& side) const
   {
@@ -136,7 +136,7 @@ class Self_pairs {
     return along;
   }
 
-  /// Returns where a face is about the plane of another. Corners that both have need no sign.
+  /// Returns the position of a face relative to the plane of another. Corners that both have need no sign.
   Along against_plane(Index face, Index other, const std::array<Index, 3>& basis) const
   {
     const Point a = point(basis[0]), b = point(basis[1]), c = point(basis[2]);

@@ -54,7 +54,7 @@ struct Body_data {
   /// True when no two faces intersect improperly. The first call decides it, with all nodes of the fast tree.
   bool is_simple() const;
 
-  /// Returns the fast tree; makes its root on first use. The model is computed by `both`.
+  /// Returns the fast tree; makes its root on first use. `both` runs pairs of steps that make its model.
   const tetratree::Bvh8& bvh8(const covering::Both& both = {}) const
   {
     std::call_once(bvh8_once_, [&] {

@@ -31,7 +31,7 @@ void write_body_file(const Body_data& body, const std::filesystem::path& file);
 /// - the checksum: 1/20;
 /// - everything that is derived anew: 1/14;
 /// - the check of the nodes: 1/8.
-/// All of it is 1/3, with the memory that is taken.
+/// The total is 1/3, including the allocation of memory.
 std::shared_ptr<const Body_data> read_body_file(const std::filesystem::path& file);
 
 }  // namespace tetracone::detail

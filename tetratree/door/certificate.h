@@ -29,8 +29,8 @@ struct Certified_file {
 ///     const Answer answer = certificate.collide(query, pose_a, pose_b);
 ///     std::ofstream("proof.json") << certificate.text();
 ///
-/// An answer that the search cannot prove throws Error. A body with a face that has no triangles does so too, where its
-/// proof needs some.
+/// Relations, exits, depths and first contacts that the search cannot prove are left out (`without_proof`). Other such
+/// answers throw Error, as do all answers whose proof needs triangles that a face lacks.
 class Certificate {
  public:
   /// For answers about one body. The bodies are written into the certificate, unless `name_file` names their files.
@@ -81,14 +81,14 @@ class Certificate {
   /// shrinks, grows or moves aside a little has no contact left. Equal solids are proved where they have the same
   /// faces, too.
   bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
-  /// Adds what `Query::exits` answers, as fractions. True where it is proved, by what proves `meet` in `relation`. Else
-  /// nothing is added.
+  /// Adds what `Query::exits` answers, as fractions. True where the search finds a proof. Else nothing is added.
   bool exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction,
              const Exits& answer);
-  /// Adds the translation of `Query::depth`, an upper bound; the lower bound has no proof. True where it is proved, by
-  /// what proves `meet` in `relation`. Else nothing is added.
+  /// Adds the translation of `Query::depth`, an upper bound; the lower bound has no proof. True where it is proved, as
+  /// `meet` is in `relation`. Else nothing is added.
   bool depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer);
-  /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added: the bodies only graze.
+  /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added, as for bodies that
+  /// graze.
   bool first_contact(const Motion& a, const Motion& b, Question question, const std::optional<First_contact>& answer);
   /// Adds where a point of decimals or fractions is, as `Body::inside_text` answers.
   void inside(const std::array<std::string, 3>& point, Location answer);

@@ -14,7 +14,7 @@ namespace tetracone::detail {
 /// as fast as memory, and no protection against malice.
 class Checksum {
  public:
-  /// Adds bytes. Each call fills up its last block with 0, so only the last call may end within a block.
+  /// Adds bytes. A call that ends within a block fills up that block with 0.
   void add(std::span<const std::byte> bytes)
   {
     for (; bytes.size() >= block; bytes = bytes.subspan(block)) add_block(bytes.data());
@@ -24,6 +24,7 @@ class Checksum {
     add_block(last.data());
   }
 
+  /// Returns the checksum of all bytes so far.
   std::uint64_t value() const
   {
     std::uint64_t sum = 0;
@@ -31,7 +32,7 @@ class Checksum {
     return sum;
   }
 
-  static constexpr std::size_t block = 64;
+  static constexpr std::size_t block = 64;  ///< bytes of a block
 
  private:
   /// Mixes a word into a sum; one to one in each while the other is fixed.

@@ -25,7 +25,7 @@ struct Contact_piece {
   Index face_a;  ///< the face's number in A
   Index face_b;  ///< the face's number in B
   Piece kind;    ///< a point, a segment, or of faces in one plane a polygon
-  Feature in_a;  ///< the least of these that holds all of it: a vertex of face_a, its edges, the face
+  Feature in_a;  ///< the smallest part of face_a that holds all of it: a vertex, one or several edges, the face
   Feature in_b;  ///< as in_a, for face_b
 };
 
@@ -80,7 +80,7 @@ class Contacts {
   std::shared_ptr<const detail::Contacts_data> data_;
 };
 
-/// Returns the unit normals of the placed faces of A and of B of piece k. They are outward where faces are oriented
+/// Returns the unit normals of both placed faces of piece k, A's first. They are outward where faces are oriented
 /// outward, also under a pose that mirrors. Bounds of a coordinate are equal or neighbours. All are 0 for a face
 /// without area. Requires k < contacts.size().
 std::array<Enclosure, 2> contact_normals(const Contacts& contacts, std::size_t k);

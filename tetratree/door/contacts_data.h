@@ -21,14 +21,14 @@ struct Contacts_data {
   kernel::Pose pose_a, pose_b;
 };
 
-/// Returns where piece k is, exactly; see `Contacts::loops`.
+/// Returns what `Contacts::loops` returns for piece k, exactly.
 std::vector<std::vector<std::array<kernel::Rational, 3>>> rational_loops(const Contacts_data& contacts, std::size_t k);
 
 /// Returns a normal of a face, exactly, of any length; 0 for a face without a plane. Throws Error for a face's number
 /// out of range.
 kernel::Rational_point exact_normal(const covering::Polyhedron& polyhedron, covering::Index face);
 
-/// Answers queries for features and contacts by the fast tree.
+/// Answers queries for features and contacts by the fast tree. `contacts` throws Error for a kernel that rounds.
 class Contact_solver {
  public:
   virtual ~Contact_solver() = default;

@@ -12,7 +12,7 @@
 
 namespace tetracone::detail {
 
-/// Computes distances of two bodies by the fast tree over a kernel.
+/// Computes distances of two bodies by the fast tree over a kernel. Over double, `nearest` and `zone` throw Error.
 class Distance_solver {
  public:
   virtual ~Distance_solver() = default;

@@ -31,9 +31,9 @@ class Motion {
   /// for a text that is no number.
   static Motion rigid_from_text(const std::array<std::string, 7>& from, const std::array<std::string, 7>& to);
 
-  /// The motion of the templates.
+  /// A motion as the library's templates take it.
   explicit Motion(kernel::Body_motion motion);
-  /// The motion of the templates.
+  /// Returns the motion as the library's templates take it.
   const kernel::Body_motion& exact() const { return *exact_; }
 
  private:
@@ -46,8 +46,8 @@ struct First_contact {
   double hi;  ///< t <= hi, the next double after lo where they differ
 
   /// A part of A and a part of B that meet then: a vertex and a face, or two edges. An edge without length is a vertex.
-  /// Where several pairs meet, it is one of them. An edge may stand between two triangles of one face. Nothing where
-  /// the bodies collide at t = 0.
+  /// Where several pairs meet, it is one of them. An edge may be a diagonal, between two triangles of one face. Nothing
+  /// where the bodies collide at t = 0.
   std::optional<std::array<Holder, 2>> holder;
 };
 

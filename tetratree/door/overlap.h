@@ -17,7 +17,7 @@ class Overlap {
  public:
   double volume = 0;                 ///< of the intersection of the interiors
   std::array<double, 3> centroid{};  ///< of that intersection; 0 where the volume is 0
-  /// The sum of area times A's outward unit normal, over the area that faces of both share and A is beside on one side.
+  /// The sum of area times A's outward unit normal over the faces' common area that has A on one side only.
   std::array<double, 3> contact_vector{};
   /// Doubles that enclose the area that faces of both surfaces share: equal, or neighbours.
   std::array<double, 2> contact_area{};
@@ -26,7 +26,7 @@ class Overlap {
   std::array<std::string, 3> exact_centroid() const;        ///< the centroid in fractions
   std::array<std::string, 3> exact_contact_vector() const;  ///< the contact vector in fractions
 
-  std::shared_ptr<const detail::Overlap_data> data;  ///< the fractions, not reduced; null where all are 0
+  std::shared_ptr<const detail::Overlap_data> data;  ///< the fractions, not reduced; if null, all are 0
 };
 
 /// Lower and upper bounds of the volume and the centroid of the overlap of two placed solids.
@@ -49,7 +49,7 @@ struct Exits {
 
 /// How narrow a bracket of a depth is asked for, and for how much work.
 struct Depth_options {
-  double relative = 1e-9;       ///< the search ends at this width over the upper end
+  double relative = 1e-9;       ///< the search ends when (high - low) / high is at most this
   std::size_t budget = 100000;  ///< the search ends after so many boxes of translations, whatever the width
 };
 
@@ -57,11 +57,11 @@ struct Depth_options {
 /// solids may touch. All is 0 where the interiors share no point at the start.
 struct Depth {
   double low = 0;                  ///< lower bound
-  double high = 0;                 ///< upper bound: the length of `vector`, rounded up
+  double high = 0;                 ///< upper bound: the length of `exact_vector`, rounded up
   std::array<double, 3> vector{};  ///< the doubles nearest to a translation that parts the solids
   bool is_exact = true;            ///< no shorter translation parts the solids: this is proved
 
-  std::string exact_square = "0";                             ///< the square of the vector's length, as a fraction
+  std::string exact_square = "0";                             ///< the squared length of `exact_vector`, as a fraction
   std::array<std::string, 3> exact_vector = {"0", "0", "0"};  ///< the translation in fractions
 };
 

@@ -17,8 +17,8 @@ struct Query_data {
   Shared_body a, b;
   Query_options options;
   std::unique_ptr<Distance_solver> distance;  // made when a distance is asked for
-  std::unique_ptr<Motion_solver> motion;      // made when a motion is
-  std::unique_ptr<Relation_solver> relation;  // made when a relation of solids or an overlap is
+  std::unique_ptr<Motion_solver> motion;      // made when a first contact is asked for
+  std::unique_ptr<Relation_solver> relation;  // made by `relation_of`
 };
 
 /// Returns the solver of relations, overlaps and penetrations, which is made if need be. Throws Error as

@@ -15,8 +15,8 @@ using kernel::Tolerance;
 
 #define TETRACONE_ENUMERATOR(kernel, ...) kernel,
 #define TETRACONE_KERNEL(kernel, ...) Kernel::kernel,
-/// The arithmetic that decides: a row of `TETRACONE_FOR_EACH_KERNEL` each. `epick` rounds the images and is exact after
-/// that.
+/// The arithmetic that decides. Each enumerator is a row of `TETRACONE_FOR_EACH_KERNEL`. `epick` rounds the images and
+/// is exact after that.
 enum class Kernel { TETRACONE_FOR_EACH_KERNEL(TETRACONE_ENUMERATOR) };
 /// Every kernel, in the order of the list.
 inline constexpr std::array all_kernels = {TETRACONE_FOR_EACH_KERNEL(TETRACONE_KERNEL)};
@@ -62,15 +62,15 @@ struct Query_options {
   Kernel kernel = Kernel::adaptive;  ///< the arithmetic
   Method method = Method::tree;      ///< the way to the answer
   Tolerance tolerance = {};          ///< for Kernel::double_eps alone
-  /// Keeps from pose to pose what decided the last one, for motions in small steps. It changes no answer.
+  /// Keeps from pose to pose what decided the last one, for small steps of Method::tree alone. It changes no answer.
   bool remember = false;
 };
 
-/// Returns the kernel of a name that `kernel_names` lists, or nothing. Tolerances are double-eps=E and double-eps=rel:E
-/// with E >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products.
+/// Returns the kernel and tolerance of a name that `kernel_names` lists, or nothing. Tolerances are double-eps=E and
+/// double-eps=rel:E with E >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products.
 std::optional<Query_options> parse_kernel(std::string_view name);
 
-/// Returns the name that `parse_kernel` reads. It tells one tolerance, the relative one where that is above 0.
+/// Returns the name that `parse_kernel` reads. It has the relative tolerance if that is above 0, else the absolute.
 std::string kernel_name(Kernel kernel, const Tolerance& tolerance = {});
 
 /// Returns the names of all kernels as help and error lines show them: "adaptive, double, ... or rational".

@@ -26,7 +26,7 @@ struct Overlap_data {
 
 /// Answers which relation solids have, how much they overlap and how far they must be moved apart, by the fast tree and
 /// the adaptive kernel. Each function returns what the function of `Query` with its name returns; `relation` is
-/// `Query::solid_relation`. Requires closed bodies, and det M != 0.
+/// `solid_relation`, and `relation_alone` is `solid_relation_alone`. Requires closed bodies, and det M != 0.
 class Relation_solver {
  public:
   virtual ~Relation_solver() = default;
@@ -34,8 +34,8 @@ class Relation_solver {
   virtual kernel::Solid_contact relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Overlap_bounds overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
-  /// Returns convex parts of faces that together bound the overlap, each point of its surface with area in one of them.
-  /// Corners are anticlockwise as seen from outside the overlap; of four, two may be equal.
+  /// Returns convex parts of faces that together make up the surface of the overlap, each place once. Corners are
+  /// anticlockwise as seen from outside the overlap; of four, two may be equal.
   virtual std::vector<std::vector<kernel::Rational_point>> overlap_border(const kernel::Pose& pose_a,
                                                                           const kernel::Pose& pose_b) = 0;
   /// Requires a direction other than 0.
@@ -46,6 +46,7 @@ class Relation_solver {
   virtual void clear_statistics() = 0;
 };
 
+/// Makes the solver of two bodies.
 std::unique_ptr<Relation_solver> relation_solver(const std::shared_ptr<const Body_data>& a,
                                                  const std::shared_ptr<const Body_data>& b);
 

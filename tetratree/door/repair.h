@@ -22,8 +22,8 @@ struct Repaired {
 /// the same edges. Faces are turned round where that alone closes an open surface.
 Repaired repaired(Polyhedron polyhedron);
 
-/// Returns the body with its polygons triangulated where that is possible without new vertices. It makes queries faster
-/// and changes no answer. Throws as `Body`.
+/// Returns the body with its polygons triangulated where that is possible without new vertices. The triangles make
+/// queries faster and change no answer. Throws as `Body`.
 Body triangulated_body(Polyhedron polyhedron);
 
 /// Returns the model of a file, repaired and triangulated. It reads and throws as `read_body`, but refuses saved

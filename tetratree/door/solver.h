@@ -15,12 +15,12 @@ struct Found_contacts;
 
 namespace tetracone::detail {
 
-/// Answers queries by a tree of a kernel for each body.
+/// Answers the queries of `Query` by one method over one kernel.
 class Solver {
  public:
   virtual ~Solver() = default;
-  /// Returns the relation of the placed bodies. `memory` is that of these placed bodies, or null; a solver may leave it
-  /// unused.
+  /// Returns the relation of the placed bodies. `memory` belongs to these placed bodies, or is null; a solver may leave
+  /// it unused.
   virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
                             tetratree::Pair_memory* memory) = 0;
   virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;

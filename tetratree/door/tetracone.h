@@ -81,15 +81,15 @@ class Pose {
   static Pose translation(double x, double y, double z);
 
   ~Pose();
-  /// Copies; both share the fractions of a pose that has some.
+  /// Copies; both share the fractions, if there are any.
   Pose(const Pose& other);
-  /// Copies; both share the fractions of a pose that has some.
+  /// Copies; both share the fractions, if there are any.
   Pose& operator=(const Pose& other);
 
   /// Returns the doubles nearest to the twelve numbers: the numbers themselves, unless the pose was made of fractions.
   const std::array<double, 12>& rows() const;
 
-  /// Returns the pose of the templates.
+  /// Returns the pose as the library's templates take it.
   const kernel::Pose& exact() const { return *reinterpret_cast<const kernel::Pose*>(storage_); }
 
  private:
@@ -134,8 +134,8 @@ class Body {
   /// Vertices and edges are compared by coordinates. The first call decides it exactly, and stops at the first pair.
   bool is_simple() const;
 
-  /// Returns all pairs of faces that intersect improperly, each once with face_a < face_b, and where. Pieces that are
-  /// all on vertices and edges of both faces are left out.
+  /// Returns all pairs of faces that intersect improperly, each once with face_a < face_b, and where. Pieces that
+  /// common vertices and edges hold are left out.
   Contacts self_intersections() const;
 
   /// Builds the whole fast tree now, with `threads` threads (0: all cores), instead of on demand. The tree does not
@@ -143,7 +143,7 @@ class Body {
   void make_all(std::size_t threads = 1) const;
 
   /// Returns where the point is with regard to the solid, exactly, by its winding number. The first call makes the
-  /// table that answers all. Throws Error for an open surface, and for a coordinate that is not finite.
+  /// table that all calls use. Throws Error for an open surface, and for a coordinate that is not finite.
   Location inside(const std::array<double, 3>& point) const;
 
   /// Returns the answers for many points. Throws as for one.
@@ -176,25 +176,25 @@ class Body {
   /// for an end that is no number.
   std::optional<Ray_hit> first_hit(const Ray& ray, double end) const;
 
-  /// True when the ray meets some face at a t of at most `end`. It costs less than `first_hit`. Throws as that.
+  /// True when the ray meets some face at a t of at most `end`. It costs less than `first_hit`. Throws as `first_hit`.
   bool is_hit(const Ray& ray, double end) const;
 
-  /// Returns how the ray goes through a face that it meets, by the face's normal: `entering` and `leaving` are those of
-  /// the solid where faces are oriented outward. Throws Error as `first_hit`, and for a face's number out of range.
+  /// Returns how the ray goes through a face that it meets, by the face's normal: `entering` and `leaving` refer to the
+  /// solid where faces are oriented outward. Throws Error as `first_hit`, and for a face's number out of range.
   Crossing crossing(const Ray& ray, Index face) const;
 
   /// Returns the face's unit normal, to the side that sees its loops counterclockwise: outward where faces are oriented
-  /// outward. Each component is the double nearest to the exact one. All are 0 where loops turn as much either way, as
-  /// about no area. Throws Error for a face's number out of range.
+  /// outward. Each component is the double nearest to the exact one. All are 0 where the loops' signed areas sum to 0,
+  /// as for a face without area. Throws Error for a face's number out of range.
   std::array<double, 3> normal(Index face) const;
 
   /// Returns the first faces of many rays. Throws as for one.
   std::vector<std::optional<Ray_hit>> first_hits(std::span<const Ray> rays) const;
 
-  /// Returns every face that the ray meets, each once, where it first meets it, in the exact order of t, then of faces.
+  /// Returns all faces that the ray meets, each once with its least t. They are sorted by the exact t, then by number.
   /// Throws as `first_hit`.
   std::vector<Ray_hit> hits(const Ray& ray) const;
-  /// Returns those whose t is at most `end`. Throws as above, and for an end that is no number.
+  /// Returns the hits whose t is at most `end`, compared exactly. Throws as above, and for an end that is no number.
   std::vector<Ray_hit> hits(const Ray& ray, double end) const;
 
  private:
@@ -215,8 +215,8 @@ class Body {
 /// or saved anew while it is in use, but not written into. A spoiled file, another version of the format, and a machine
 /// with other numbers are refused.
 ///
-/// Nothing in a saved body is trusted: all that can be derived is derived anew, and all else is checked, in one linear
-/// pass. A file is refused, or it answers as `Body` of its vertices, faces and triangles does.
+/// Nothing in a saved body is trusted: all that can be derived is derived anew, and all else is checked. A file that is
+/// not refused answers as `Body` of its vertices, faces and triangles does.
 Body read_body(const std::filesystem::path& file);
 
 /// Saves the body with its whole fast tree to a file *.body that `read_body` takes. Equal bodies give equal bytes. The
@@ -240,11 +240,11 @@ class Answer {
   Relation relation_;
 };
 
-/// Two bodies and a question, asked for many poses. A query keeps work from pose to pose and belongs to one thread.
+/// Two bodies and a question for many poses. It keeps work from pose to pose, so only one thread at a time may use it.
 class Query {
  public:
   /// A query that shares the bodies' data and may outlive them. Throws Error when an open surface is asked for its
-  /// solid.
+  /// solid, and when floating point is not as exact answers need it.
   Query(const Body& a, const Body& b, Question question = Question::solid, const Query_options& options = {});
 
   ~Query();
@@ -293,8 +293,8 @@ class Query {
   /// Same, for poses of the templates. Requires det M != 0.
   Nearest nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
-  /// True when the distance is at most `limit`, decided on squares, exactly; false for a negative limit. Throws Error
-  /// for a limit that is no number, and as `distance`.
+  /// True when the distance is at most `limit`, decided exactly on squares (the kernel double rounds); false for a
+  /// negative limit. Throws Error for a limit that is not finite or no number, and as `distance`.
   bool within(const Pose& pose_a, const Pose& pose_b, double limit);
   /// Same, for a decimal, which stands for the nearest double, or a fraction "n/d".
   bool within(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
@@ -318,8 +318,8 @@ class Query {
   /// Same, for poses of the templates. Requires det M != 0.
   Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
-  /// Returns bounds of the volume and the centroid, by interval arithmetic where that tells them, in a small part of
-  /// the time of `overlap`. Bounds of what interval arithmetic does not tell are neighbours. Throws as
+  /// Returns bounds of the volume and the centroid, by interval arithmetic where that suffices, in a small part of the
+  /// time of `overlap`. Else all are computed exactly, and the bounds of each are equal or neighbours. Throws as
   /// `solid_relation`.
   Overlap_bounds overlap_bounds(const Pose& pose_a, const Pose& pose_b);
   /// Same, for poses of the templates. Requires det M != 0.
@@ -333,9 +333,9 @@ class Query {
   /// Same, for poses of the templates. Requires det M != 0.
   Exits exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction);
 
-  /// Returns a bracket of the least translation of A after which the interiors share no point, and the translation that
-  /// attains its upper end. The bracket is never wrong; it is as narrow as asked, unless the budget ends before. Throws
-  /// Error for a relative width that is not in [0, 1), and as `solid_relation`.
+  /// Returns a bracket of the length of the least translation of A after which the interiors share no point. It
+  /// includes a translation of the upper length. The bracket is never wrong; it is as narrow as asked, unless the
+  /// budget ends before. Throws Error for a relative width that is not in [0, 1), and as `solid_relation`.
   Depth depth(const Pose& pose_a, const Pose& pose_b, const Depth_options& options = {});
   /// Same, for poses of the templates. Requires det M != 0.
   Depth depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options = {});
@@ -347,13 +347,13 @@ class Query {
   /// Same, for poses of the templates. Requires det M != 0.
   std::vector<Index> zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
 
-  /// Returns, after `apart`, a lower bound of the distance; 0 if the query did not compute one.
+  /// Returns a lower bound of the distance after the answer `apart`; 0 if `collide` did not compute one.
   double certified_gap() const;
 
-  /// Returns when the bodies first share a point while they move, exactly, or nothing. The question matters at t = 0
-  /// alone. Solids that do not collide at t = 0 first meet where their surfaces do. The fast tree answers. Requires
-  /// that neither motion begins with a singular M. Throws Error for a kernel that is not adaptive, for a body with a
-  /// face that has no triangles, and as `collide`.
+  /// Returns exact bounds of the first time at which the moving bodies share a point; nothing if they never do. The
+  /// question matters at t = 0 alone. Solids that do not collide at t = 0 first meet where their surfaces do. The fast
+  /// tree answers. Requires that neither motion begins with a singular M. Throws Error for a kernel that is not
+  /// adaptive, for a face that is no triangle and has no triangles, and as `collide`.
   std::optional<First_contact> first_contact(const Motion& a, const Motion& b);
 
   /// Returns the counts of work since the last `clear_statistics`.
@@ -363,7 +363,7 @@ class Query {
 
   /// Returns the bytes of both trees, as far as they have been made, and of what `collide` keeps.
   std::size_t bytes() const;
-  /// Returns the number of their nodes.
+  /// Returns the number of the trees' nodes that have been made.
   std::size_t node_count() const;
 
  private:

@@ -81,7 +81,7 @@ class Tree_check {
   }
 
  private:
-  /// The node, or leaf, of elements first .. last. Its node comes after the nodes of those before it.
+  /// A node that is to be checked, with elements first .. last, below a lane of an earlier node.
   struct Below {
     Index first, last, parent;
     int lane;   // -1: of the root

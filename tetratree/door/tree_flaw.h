@@ -16,7 +16,7 @@ namespace tetracone::detail {
 /// - each node is below one lane of one node before it, and each element is in one leaf;
 /// - numbers are finite, and within the bounds that the proofs of queries assume;
 /// - each box holds all corners of its elements, by the margin that `Obb8` requires;
-/// - a leaf's apex says where its triangle lies;
+/// - a leaf's apex code (`kernel::Apex_code`) holds for its triangle;
 /// - lanes that hold nothing are 0.
 ///
 /// Any bytes may stand in the nodes. Time: linear in the elements, times the tree's depth.

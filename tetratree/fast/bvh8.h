@@ -24,7 +24,7 @@ namespace tetracone::tetratree {
 /// decide the elements; `Bvh8_options` has other choices of construction.
 ///
 /// The tree takes three ideas from JS08: the covering and its origin, the pairwise descent of two trees, and the
-/// regular hull. The hull, on the lattice of tetra-cones, is `Support_table`. It is no tetra-tree:
+/// regular hull. The hull, on the lattice of tetra-cones, is `Support_table`. The tree is no tetra-tree:
 /// - An element is in one box, not in every cone that it meets, so no element is tested twice.
 /// - Boxes come from cuts by cost (SAH), across the direction in which elements spread most, or along three axes where
 ///   they are few. Planes through the origin, the sides of cones, are among the cuts tried: they separate layers of the
@@ -51,7 +51,7 @@ class Bvh8 {
     if (!empty()) nodes_.push_back(builder_->root(both));
   }
 
-  /// Restores a tree: its elements in the order of its leaves, and its nodes as `nodes_in_order` returned them.
+  /// Restores a tree of one element a leaf: its elements in the order of leaves, its nodes as by `nodes_in_order`.
   Bvh8(Bvh8_elements elements, Reserved_array<Bvh8_node> nodes)
       : elements_(std::move(elements)), nodes_(std::move(nodes))
   {}
@@ -71,7 +71,7 @@ class Bvh8 {
   const Bvh8_node& node(Index n) const { return nodes_.data()[n]; }
   const Bvh8_node& node_of(Box_id box) const { return node(box.node()); }
 
-  /// Returns the node below a box, and makes it if necessary. Requires a box of more than one element.
+  /// Returns the node below a box, and makes it if necessary. Requires a box that is no leaf.
   Index child(Box_id box) const
   {
     Bvh8_node& parent = nodes_.data()[box.node()];
@@ -96,6 +96,7 @@ class Bvh8 {
   const Element& element(Box_id box, Index k = 0) const { return elements_[node_of(box).first[box.lane()] + k]; }
   /// Returns the place of an element of a leaf in the order of leaves, which does not change.
   std::size_t number_of(const Element& element) const { return std::size_t(&element - &elements_[0]); }
+  /// Returns the number of elements of a leaf.
   Index leaf_count(Box_id box) const
   {
     if (leaf_ends_.empty()) [[likely]]
@@ -117,9 +118,9 @@ class Bvh8 {
     make_all([](const auto& work) { work(); });
   }
 
-  /// Makes every node, as above. `run(work)` calls work() from one thread or more at once, and returns when all calls
+  /// Does the same by threads. `run(work)` calls work() from one thread or more at once, and returns when all calls
   /// have returned; the tree does not depend on their number. A query that lacks a node waits until all are there, so
-  /// no query may run on a thread that is within `run`. `both` makes what would keep one thread longest.
+  /// no query may run on a thread that is within `run`. `both` shares what would keep one longest.
   template <class Run>
   void make_all(const Run& run, const covering::Both& both = {}) const
   {

@@ -77,7 +77,7 @@ class Bvh8_builder {
     return made;
   }
 
-  /// Appends that node and all nodes below it to `nodes`, which must be empty.
+  /// Appends the node of elements first .. last and all nodes below it to `nodes`, which must be empty.
   template <class Nodes>
   void make_all(Index first, Index last, Nodes& nodes)
   {
@@ -213,7 +213,7 @@ class Bvh8_builder {
   /// Elements first .. last of the order, with the spread of their centroids along the columns of `axes`, least first.
   struct Part {
     Index first, last;
-    double size;
+    double size;  // of the spread; 0 for a leaf
     kernel::Spread spread;
     kernel::Matrix axes;
   };
@@ -377,8 +377,8 @@ class Bvh8_builder {
     return Pencil{across.normalized(), along};
   }
 
-  /// Returns the box of elements first .. last. Its axes come of a sample of corners where elements are many. `corners`
-  /// is scratch memory.
+  /// Returns the box of elements first .. last. Its axes come from a sample of corners where elements are many.
+  /// `corners` is scratch memory.
   Bvh8_lane lane_of(Index first, Index last, Corner_set& corners, const covering::Both& both)
   {
     if (is_leaf(first, last) && !leaf_ends_.empty()) leaf_ends_[first] = last;

@@ -115,8 +115,8 @@ inline constexpr auto signs_in = [] {
 
 namespace tetracone::tetratree {
 
-/// Opens pairs, the top one first: the parts of the larger box are tested against the other box, and those that may
-/// meet are pushed. Returns when the caller is needed.
+/// Opens pairs, the top one first, and returns why it stopped. The parts of the larger box are tested against the other
+/// box, and parts that may meet it are pushed.
 inline Stop descend(Pair_stack& stack, Both_trees& trees)
 {
   using Function = Stop(Pair_stack&, Both_trees&);
@@ -124,8 +124,8 @@ inline Stop descend(Pair_stack& stack, Both_trees& trees)
   return fastest(stack, trees);
 }
 
-/// Opens all pairs, level by level. It takes those of `level`, the top one first, and writes their parts to `next`, the
-/// next level. It adds pairs of leaves that it finds to `leaves`, and stops at one that it is given.
+/// Opens all pairs, level by level, and returns why it stopped. It takes the pairs of `level`, the top one first, and
+/// writes their parts to `next`. It adds pairs of leaves that it finds to `leaves`, and stops at one that it is given.
 inline Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Box_ids>& leaves)
 {
   using Function = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Box_ids>&);

@@ -226,7 +226,7 @@ HWY_INLINE void prefetch_nodes(Pair_stack& stack, std::size_t first, const Both_
   }
 }
 
-/// Opens level by level, four pairs per round. It prefetches the nodes of a level while it opens the level before.
+/// Opens level by level, up to four pairs per round, and prefetches the nodes of the next level meanwhile.
 template <bool similarity>
 HWY_ATTR Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Box_ids>& leaves)
 {

@@ -135,7 +135,7 @@ class Bvh8_subtrees {
     });
   }
 
-  /// Numbers a subtree's nodes in the order of the lanes: it waits for the subtrees of earlier lanes.
+  /// Keeps a subtree. Numbers the nodes of each subtree that lacks numbers, up to the first lane without a subtree.
   void place(Round& round, std::size_t k, Nodes made)
   {
     struct Placed {

@@ -264,7 +264,7 @@ class Bvh8_treelet {
 
   Index first_ = 0, count_ = 0;
   Corner_set corners_;
-  std::vector<Four> at_;  // corners
+  std::vector<Four> at_;  // the corners in their principal frame
   std::array<Axis_bounds, most> bounds_;
   std::array<std::array<std::uint8_t, most>, 3> order_{};  // along each axis, by parts; k stands for element first_ + k
   std::array<bool, most> is_before_{};

@@ -44,9 +44,9 @@ class Separating_direction {
     return were_apart_ = true;
   }
 
-  /// True when the moving bodies are found apart in all of the span, by one fixed plane, in at most `steps` > 0
-  /// directions. A direction that separates at each coefficient separates at all times (see `kernel::Motion_span`). It
-  /// gives no gap.
+  /// True when the moving bodies are found apart in all of the span, by one fixed plane. The last direction found is
+  /// tried first, then at most `steps` > 0 others. A direction that separates at each coefficient separates at all
+  /// times (see `kernel::Motion_span`). It gives no gap.
   bool operator()(const kernel::Motion_span& span, int steps)
   {
     last_gap_ = {};
@@ -63,7 +63,7 @@ class Separating_direction {
   }
 
   /// Lower bound of the distance of the bodies of the last call, along the direction found; 0 if none was. It is (gap -
-  /// slack) / |m|_2 in the larger unit.
+  /// slack) / |m|_2, times the larger unit.
   double gap() const
   {
     if (!were_apart_) return 0;
@@ -74,18 +74,18 @@ class Separating_direction {
     return gap > 0 && gap <= std::numeric_limits<double>::max() ? gap : 0;
   }
 
-  /// Returns the direction, from A to B, along which the bodies overlap least. Requires a search that found no plane.
+  /// Returns the tried direction, from A to B, along which bodies overlap least. Requires a search that found no plane.
   std::array<double, 3> least_overlapping() const
   {
     return {least_overlapping_[0], least_overlapping_[1], least_overlapping_[2]};
   }
-  /// True when that overlap is small. Same requirement.
+  /// True when the overlap along it is small. Has the same requirement.
   bool was_near() const { return was_near_; }
 
   std::size_t bytes() const { return a_.table.bytes() + b_.table.bytes(); }
 
-  /// Upper bound of the numbers of roundings, each of u of float or of double: 4 of directions turned back, 5 of the
-  /// rounded D, 5 of the terms of D in double. Proved in verify/proofs/separation_proofs.h.
+  /// Upper bound of the numbers of roundings, each of u of float or of double. They are 4 of directions turned back, 5
+  /// of the rounded D (see `Placed`), and 5 of the terms of D in double. Proved in verify/proofs/separation_proofs.h.
   static constexpr double rounding = 6;
 
   // The expressions, lane by lane, for the proofs.

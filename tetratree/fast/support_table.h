@@ -95,7 +95,7 @@ class Support_table {
     const Four_floats at = scaled(d, sum), in_octant = kernel::magnitudes(at);
     const Four_ints whole = __builtin_convertvector(in_octant, Four_ints);
     const Four_floats part = in_octant - __builtin_convertvector(whole, Four_floats);
-    // The triangle is that of corners 0, 1 and 2 or, if a weight would be below 0, that of 3, 1 and 2.
+    // The triangle has corners 0, 1 and 2 or, if a weight would be below 0, corners 3, 1 and 2.
     const Four_floats rest = weight_of_first(kernel::repeated<1>(part), kernel::repeated<2>(part));
     const Four_ints beyond = reinterpret_cast<Four_ints>(rest) & kernel::is_negative(rest);
     constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
@@ -109,7 +109,7 @@ class Support_table {
     return {kernel::sum_of_lanes(corner + octant)[0], weight, sum, at};
   }
 
-  /// Returns the position of -d: the corners opposite those of d, with the same weights.
+  /// Returns the position of -d: the corners opposite to d's corners, with the same weights.
   static Place opposite(const Place& p)
   {
     const int octant = p.first / (row * row);
@@ -128,7 +128,7 @@ class Support_table {
   /// True when all three corners of the triangle that holds the direction are known.
   bool knows(const Place& p) const { return kernel::sum_of_lanes(of_triangle(p, corners(p)))[0] < unknown; }
 
-  /// Computes the unknown values at these corners.
+  /// Computes the unknown values at the corners of the triangle that holds the direction.
   void find(const Place& p)
   {
     const int none_of = p.weight[3] > 0 ? 0 : 3;
@@ -160,8 +160,6 @@ class Support_table {
   std::size_t bytes() const { return reach_.capacity() * sizeof(float); }
 
  private:
-  /// Corner (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and
-  /// the last rows, are corners beyond the octant; only rounding gives them a weight.
   static constexpr float unknown = std::numeric_limits<float>::infinity();
   static constexpr Index none = std::numeric_limits<Index>::max();
 
@@ -181,7 +179,9 @@ class Support_table {
                           kernel::first_three(h));
   }
 
-  /// Returns the first of the corners of octants that are one direction: a coordinate of 0 has no sign.
+  /// Returns the first number of a corner that belongs to several octants: a coordinate of 0 has no sign. Corner
+  /// (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and the last
+  /// rows, are corners beyond the octant; only rounding gives them a weight.
   static int first_of(int k)
   {
     const int j = k / row % row, i = k % row, has_sign = int(n - i - j != 0) | int(i != 0) << 1 | int(j != 0) << 2;

@@ -23,10 +23,10 @@ namespace tetracone::tetratree {
 
 /// The location of points with regard to a solid, exactly, by the directions of tetra-cones in one look-up.
 ///
-/// A table covers cells of directions about the covering's origin. For each cell it has the intervals of norm of the
-/// covering's triangles that the cell's rays meet. Intervals that overlap are merged to groups, so that groups are
-/// disjoint. Between groups there is no surface; the winding number is constant there, and stored. A slab holds a
-/// group's triangles; on either side of it there is no surface either. For a point within the slab, the signed
+/// A table covers cells of directions about the covering's origin. For each cell it has the intervals of norm |x| + |y|
+/// + |z| of the covering's triangles that the cell's rays meet. Intervals that overlap are merged to groups, so that
+/// groups are disjoint. Between groups there is no surface; the winding number is constant there, and stored. A slab
+/// holds a group's triangles; on either side of it there is no surface either. For a point within the slab, the signed
 /// inclusions (JS08 Theorem 1) of the group's triangles are added to the winding number beyond. Its ray outwards
 /// crosses no other triangle before that. Cells, intervals and slabs are rounded outward. A filter decides triangles
 /// first; uncertain ones go to exact signs.
@@ -154,7 +154,7 @@ class Point_locator {
     double norm;
     Index cell;
   };
-  /// A point, by its number, that triangles decide: those of a group, or all.
+  /// The number of a point that triangles decide: a group's triangles, or all.
   struct Pending {
     std::size_t number;
     Index group, end;
@@ -189,7 +189,7 @@ class Point_locator {
 
   static Location location(int winding) { return winding != 0 ? Location::inside : Location::outside; }
 
-  /// `exact()` returns the point in K. `p` is infinite for points that are very far.
+  /// Returns the location of p, in local units; very far points are infinite there. `exact()` returns the point in K.
   template <class Exact>
   Location locate(const kernel::Local_point& p, const Exact& exact) const
   {
@@ -299,7 +299,7 @@ class Point_locator {
     return location(winding);
   }
 
-  /// Returns the signs of the next four triangles, or of those before `end`.
+  /// Returns the signs of the next four triangles, or of fewer up to `end`.
   kernel::Cone_probe::Views view(const kernel::Cone_probe& probe, Index first, Index end) const
   {
     std::array<kernel::Cone_probe::Corners, 3> corners;
@@ -505,7 +505,7 @@ class Point_locator {
     return exact_crossing(model_->covering().triangles()[t], direction);
   }
 
-  /// The sides of the ray are those of its point at norm 1, which is moved with it.
+  /// Returns as `crossing`, by exact signs. The sides of the ray are those of its point at norm 1, moved with it.
   int exact_crossing(const covering::Covering_triangle& t, const kernel::Local_point& direction) const
   {
     const kernel::Pose to_origin = kernel::Pose::translation(scale_.origin[0], scale_.origin[1], scale_.origin[2]);

@@ -28,8 +28,8 @@ namespace tetracone::tetratree {
 /// local units; A rests.
 ///
 /// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later
-/// motions are taken as multiples of that step. The stray is an upper bound of the distance between a point and where
-/// the course predicts it.
+/// motions are taken as multiples of that step. The stray is an upper bound of the distance between a point and its
+/// place by the course.
 ///
 /// A step takes at most the entry's rate off a gap along an axis fixed to A, and at most the pace off any distance. The
 /// stray takes more. An entry holds until these have used up its gap (`Front_entries`). Then only that entry is tested
@@ -63,8 +63,8 @@ class Bvh8_front {
   bool holds() const { return holds_; }
   const Front_entries& entries() const { return entries_; }
 
-  /// Lower bound of the gap of an entry, in A's local units, in the last pose that was asked. Not above 0 if nothing is
-  /// known.
+  /// Returns a lower bound of the gap of an entry, in A's local units, in the last pose that was asked. It is not above
+  /// 0 if nothing is known.
   double gap(std::size_t k) const { return entries_.gap(k); }
 
   /// Returns the number of poses since the front was made.

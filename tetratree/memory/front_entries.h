@@ -83,10 +83,10 @@ class Front_entries {
     steps_ = strayed_ = 0;
   }
 
-  /// Lower bound of the remaining gap; not above 0 if it is used up.
+  /// Returns a lower bound of the remaining gap; not above 0 if it is used up.
   double gap(std::size_t k) const { return double(until_[k]) - gone_by(double(rate_[k])); }
 
-  /// Lower bound of the remaining gap before the last `go_on`.
+  /// Returns a lower bound of the remaining gap before the last `go_on`.
   double gap_before(std::size_t k) const
   {
     return double(until_[k]) - (double(rate_[k]) * steps_before_ + strayed_before_);

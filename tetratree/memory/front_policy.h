@@ -27,7 +27,7 @@ class Front_policy {
   static constexpr double making = 1.8,             ///< cost of the descent that makes a front
       too_many = 0.6,                               ///< certain cost of following, above which the front is given up
       pays_below = 0.85;                            ///< average cost per pose below which a front pays
-  static constexpr std::size_t longest_pause = 64;  ///< most poses asked without a front
+  static constexpr std::size_t longest_pause = 64;  ///< most descents in a row without a front
 
   /// Poses before the average may end a front.
   static constexpr std::size_t fewest_poses = 5;

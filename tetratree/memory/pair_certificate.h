@@ -5,8 +5,8 @@
 
 /// The arithmetic of the certificate that two bodies of a scene are apart.
 ///
-/// A certificate begins with a lower bound of their distance. It holds while the rotation of both about their centres
-/// since, plus the change of the vector between their centres, is less. Rotations are sums of upper bounds, rounded up.
+/// A certificate begins with a lower bound of their distance. It holds while their rotations about their centres since
+/// then, plus the change of the vector between these, are less. Rotations are sums of upper bounds, rounded up.
 namespace tetracone::tetratree {
 
 /// The vector between the centres of two bodies when a certificate begins, rounded to float.
@@ -45,13 +45,13 @@ Number error_of_between(const std::array<Number, 3>& magnitudes)
 /// Upper bound of the relative error of a sum of two numbers that are not negative, one of which may be a difference
 /// (verify/proofs/scene_proofs.h). Sum, product and difference are rounded; sums of denormals are exact.
 inline constexpr double sum_rounding = 0x1p-51;
-/// Returns an upper bound of such a sum.
+/// Returns an upper bound of the exact sum of x and y.
 template <class Number>
 Number sum_above(const Number& x, const Number& y)
 {
   return (x + y) * Number(1 + sum_rounding);
 }
-/// Returns a lower bound of such a sum.
+/// Returns a lower bound of the exact sum of x and y.
 template <class Number>
 Number sum_below(const Number& x, const Number& y)
 {

@@ -21,7 +21,7 @@ struct Pair_memory {
   bool is_front_allowed = false;
   bool was_plane_found = true;  ///< whether the last plane that was looked for was found; true at first
 
-  /// Returns the memory for a pair that is near where it was asked last, in each pose: it has a front from the start.
+  /// Returns a memory that has a front from the start, for a pair that moves little from pose to pose.
   static Pair_memory with_front()
   {
     Pair_memory memory;
@@ -40,7 +40,7 @@ struct Pair_memory {
   /// Opened boxes from which on a front may pay.
   static constexpr std::uint32_t fewest_opened = 24;
 
-  /// Allows a front for bodies that are near where they were asked last. For others it saves nothing, and is dropped.
+  /// Allows a front, or drops it with the witness. It pays for bodies that are near where they were asked last.
   void allow_front(bool is_allowed)
   {
     is_front_allowed = is_allowed;

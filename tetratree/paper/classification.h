@@ -8,12 +8,12 @@
 
 namespace tetracone::tetratree {
 
-/// The paper's test that classified a tetrahedron in a tetra-cone.
+/// The paper's test that classified a tetrahedron in a tetra-cone. `no`: none did. `flat`: the tetrahedron is flat.
 enum class Classified { no, vertex_in_cone, ray_in_tetrahedron, edge_crosses_border, flat };
 
-/// Tells whether the tetrahedron S = O A B C of the covering belongs to the tetra-cone T. It does where the closed
-/// triangle A B C meets the closed cone (JS08 section 2.2.1, Fig. 6). It runs the paper's three tests in the paper's
-/// order, each by signs of 3x3 determinants:
+/// Returns the test that classifies the tetrahedron S = O A B C of the covering in the tetra-cone T, or `no`. S belongs
+/// to T where the closed triangle A B C meets the closed cone (JS08 section 2.2.1, Fig. 6). The function runs the
+/// paper's three tests in the paper's order, each by signs of 3x3 determinants:
 /// 1. A vertex of A B C is inside T.
 /// 2. A ray of T is inside the tetra-cone of S.
 /// 3. An edge of A B C meets the border of T. Two edges are enough: a triangle that the first two tests leave undecided

@@ -97,8 +97,8 @@ class Collision {
     return !roots_apart() && descend_from_roots(leaf_test);
   }
 
-  /// Returns all pairs of an edge of one and a face of the other that share a point, with the kind of their contact,
-  /// sorted. Requires det M != 0 of both poses.
+  /// Returns all pairs of an edge of one body and a face of the other that share a point, sorted, with their kinds of
+  /// contact. Requires det M != 0 of both poses.
   std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b)
   {
     const Fallbacks fallbacks(counts_);
@@ -400,8 +400,8 @@ class Collision {
   std::uint64_t face_now_ = 0;
   std::vector<kernel::Box<B>> edge_boxes_;  // of the present leaf
   const double all_pairs_;                  // number of pairs of an edge and a face
-  std::size_t pairs_seen_ = 0;              // pairs that this query has taken the time of
-  double limit_ = 0;                        // upper limit of these, beyond which the descent is given up
+  std::size_t pairs_seen_ = 0;              // pairs whose time this query has taken
+  double limit_ = 0;                        // the number of pairs above which the descent is given up
   bool gave_up_ = false;
   Query_statistics counts_;
 };

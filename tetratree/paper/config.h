@@ -96,7 +96,7 @@ struct Config {
     return config;
   }
 
-  /// Returns no tree: every edge against every face.
+  /// Returns the choice of no tree: every edge is tested against every face.
   static Config brute()
   {
     Config config;

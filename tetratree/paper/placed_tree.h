@@ -29,7 +29,7 @@ class Placed_tree {
         boxed_at_(face_box_.size(), 0)
   {}
 
-  /// Moves the body. `pose` must outlive the query.
+  /// Moves the body. `pose` must outlive all use of this until the next call.
   void place(const kernel::Pose& pose)
   {
     body_.place(pose);
@@ -124,8 +124,8 @@ class Placed_tree {
     return n;
   }
 
-  // Returns the winding number about p moved likewise. It is the signed sum over the tetrahedra of the leaf: no others
-  // can hold p (JS08 section 2.2).
+  // Returns the winding number about p moved by (e, e^2, e^3). It is the signed sum over the tetrahedra of the leaf: no
+  // others can hold p (JS08 section 2.2).
   int winding_number(const kernel::Point<K>& p, Index leaf)
   {
     const auto& triangles = tree_.model().covering().triangles();

@@ -64,8 +64,8 @@ class Regular_hull {
       : origin_(origin), level_(kernel::maximum(level, 1)), longest_edge_(longest_edge), radius_(radius)
   {}
 
-  /// Returns the half-space of the reference bounding tetrahedron (Definition 8): that of the hull's triangle whose
-  /// cone holds `direction`.
+  /// Returns the half-space of the reference bounding tetrahedron (Definition 8). It is bounded by the plane of the
+  /// hull's triangle whose cone holds `direction`.
   kernel::Half_space<B> towards(const kernel::Bound_point<B>& direction) const
   {
     const Tetra_cone cone = cone_towards(direction, level_);

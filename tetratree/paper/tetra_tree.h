@@ -120,8 +120,8 @@ class Tetra_tree {
   std::span<const Index> edges(const Node<B>& leaf) const { return part(edges_, leaf.edges_begin, leaf.edges_end); }
   std::span<const Index> faces(const Node<B>& leaf) const { return part(faces_, leaf.faces_begin, leaf.faces_end); }
 
-  /// Upper bound of every coordinate of vertices and bounding tetrahedra: no edge of one is longer than 4 * sqrt(3)
-  /// radii.
+  /// Upper bound of the magnitude of every coordinate of vertices and bounding tetrahedra: no edge of one is longer
+  /// than 4 * sqrt(3) radii.
   B reach() const
   {
     return kernel::maximum(std::abs(origin_[0]), std::abs(origin_[1]), std::abs(origin_[2])) + 8 * radius_;
@@ -204,7 +204,7 @@ class Tetra_tree {
     nodes_[n].child_count = static_cast<Index>(nodes_.size()) - first;
   }
 
-  /// Sets the child's tetrahedra: those of the parent that meet its cone.
+  /// Sets the child's tetrahedra: the parent's tetrahedra that meet its cone.
   void classify_into(Node<B>& child, const Node<B>& parent)
   {
     using Fixed = typename kernel::Kernel_traits<K>::Fixed;

@@ -40,7 +40,7 @@ inline bool is_convex(const covering::Polyhedron& polyhedron, const Solid_sides&
   return true;
 }
 
-/// Returns a convex solid. Requires `is_convex`.
+/// Returns the corners, triangles and edges of a convex solid. Requires `is_convex`.
 inline kernel::Convex_solid convex_solid(const covering::Polyhedron& polyhedron, const Solid_sides& sides)
 {
   kernel::Convex_solid solid;

@@ -26,7 +26,7 @@ struct Exit_heights {
 
 /// The rises of A, along z of a view, at which the interiors of A and B share a point.
 ///
-/// Let F be the set of these rises s, and let a piece be as `Seen_solid` says.
+/// Let F be the set of these rises s. Pieces are the parts of faces that `Seen_solid` makes.
 ///
 /// 1. An upright line through no edge of either body meets each solid in intervals between pieces. Intervals of A from
 ///    a0 to a1 and of B from b0 to b1 overlap for s from b0 - a1 to b1 - a0. F is the union of these open intervals
@@ -79,7 +79,7 @@ class Exit_search {
     return {at, last};
   }
 
-  /// Returns normals of planes, in the view, in which the last question's first exit lies.
+  /// Returns the normals, in the view, of planes along which the solids part at the first exit of the last question.
   std::vector<kernel::Number_point<kernel::Rational>> normals()
   {
     if (!last_pair_[0]) return {};
@@ -96,7 +96,7 @@ class Exit_search {
     double key;  // the least comes first
     Box_ids box;
   };
-  /// A pair of pieces whose `high` may be the one that is sought.
+  /// A pair of pieces whose `high` may be the sought one, with bounds of it.
   struct Candidate {
     Seen_piece *a, *b;
     double least, most;
@@ -116,7 +116,7 @@ class Exit_search {
     Box_ids box;
   };
 
-  /// Returns what enclosures say of two pieces. Requires a block of upward rounding, and pieces that are bounded.
+  /// Returns an enclosure of the shift range of two pieces. Requires upward rounding, and pieces that are bounded.
   static kernel::Shift_range<kernel::Interval> enclosed(const Seen_piece& a, const Seen_piece& b)
   {
     kernel::Shift_range<kernel::Interval> range(a.rounded, b.rounded);
@@ -124,7 +124,7 @@ class Exit_search {
     return range;
   }
 
-  /// Upper bound of the rise from which on the pair that was found last meets; infinity where it is not known.
+  /// Returns an upper bound of the rise from which on the pair found last meets; infinity where it is not known.
   double start_of_last() const
   {
     const auto [a, b] = last_pair_;
@@ -379,7 +379,7 @@ class Exit_search {
 
   std::array<Seen_solid, 2> solid_;
   std::vector<Pair> queue_;
-  std::array<Seen_piece*, 2> last_pair_{};  // whose `high` was found last, and this
+  std::array<Seen_piece*, 2> last_pair_{};  // the pair whose `high` was found last
   Rational last_high_;
   Query_statistics counts_;
 };

@@ -72,9 +72,9 @@ class Numbered_things {
 
 /// A solid and its tree in the coordinates of a view (see `see`): convex pieces of faces, and boxes.
 ///
-/// The pieces of a face are those that have the solid on some side. A plain triangle is one piece. Every other face is
-/// cut by those that meet it. So no face of the solid goes through a piece, and each side of a piece is wholly in the
-/// solid, or not at all.
+/// The pieces of a face are its parts that have the solid on some side. A plain triangle is one piece. Every other face
+/// is cut by those that meet it. So no face of the solid goes through a piece, and each side of a piece is wholly in
+/// the solid, or not at all.
 class Seen_solid {
  public:
   /// `tree` has the faces of `polyhedron` as elements. All must outlive this object.

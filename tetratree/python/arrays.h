@@ -25,8 +25,9 @@ Error renamed(const Error& error, std::string_view from, const std::string& to);
 class Numbers {
  public:
   /// Takes an array, which messages call `name`. Doubles are not copied, whatever their strides. Other numbers that are
-  /// doubles become doubles. All others (fractions.Fraction, large integers, texts) become texts. Throws Error for
-  /// anything but an array of numbers, and for masked entries.
+  /// doubles become doubles. All others (fractions.Fraction, large integers, texts) become texts. Throws Error for rows
+  /// of different lengths, for complex numbers, dates and records, and for masked entries. Any other value that is no
+  /// number becomes a text that its reader refuses.
   Numbers(const pybind11::handle& values, std::string name);
 
   const std::string& name() const { return name_; }
@@ -80,14 +81,14 @@ class Numbers {
 /// Poses of one body: an array (n, 3, 4) or (n, 4, 4), or one pose (3, 4) or (4, 4), or None for the identity.
 class Poses {
  public:
-  /// Throws Error for another shape, and for texts that are no pose.
+  /// Throws Error for another shape, and as `Numbers`. Numbers that are no pose are refused when the pose is asked for.
   Poses(const pybind11::object& values, const std::string& name);
 
   /// True for one pose and None.
   bool is_one() const { return is_one_; }
   std::size_t count() const { return count_; }
 
-  /// Returns pose `k`. Throws Error, which `require` repeats with its name. Needs no interpreter's lock.
+  /// Returns pose `k`. Throws Error where it is no pose; `require` adds its name. Needs no interpreter's lock.
   Pose operator()(std::size_t k) const
   {
     if (packed_) [[likely]] {

@@ -170,7 +170,8 @@ class Face_numbers : public Column {
  public:
   explicit Face_numbers(const py::object& values) : Column(values, "faces") {}
 
-  /// Returns what ask(face k) returns, and `none` for no face. Throws Error with the name of what is no face's number.
+  /// Returns what ask(face k) returns, and `none` for no face. Throws Error with the place of a number that is no
+  /// face's.
   template <class Answer, class Ask>
   Answer answer(std::size_t k, const Answer& none, const Ask& ask) const
   {
@@ -186,8 +187,8 @@ class Face_numbers : public Column {
   }
 };
 
-/// Rays of as many directions as origins; one of either serves all of the other. Each has a number of `more`, or the
-/// only one.
+/// Rays of as many directions as origins; one of either serves all of the other. `more` has a number for each ray, or
+/// one for all.
 class Rays {
  public:
   Rays(const py::object& origins, const py::object& directions, const Column& more)

@@ -14,8 +14,8 @@ namespace tetracone::python {
 struct Python_body {
   explicit Python_body(Body b) : body(std::move(b)) {}
 
-  /// Throws Error. pybind11 calls it for the object of `Body.__new__`, which nobody has made; others are made by
-  /// make_shared.
+  /// Throws Error. pybind11 calls it only for an object of `Body.__new__` without `__init__`; make_shared makes all
+  /// others.
   static void* operator new(std::size_t) { throw Error("body: not made; expected Body(vertices, faces)"); }
 
   const Body body;

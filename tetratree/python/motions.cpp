@@ -78,7 +78,7 @@ Motion rigid_motion(const kernel::Pose& from, const kernel::Pose& to)
   return Motion(kernel::Body_motion::rigid(ends[0], ends[1]).value());
 }
 
-/// True when these are matrices, by their shape.
+/// True when the values are matrices, by their shape.
 bool are_matrices(const py::object& values, const std::string& name)
 {
   if (values.is_none()) return false;

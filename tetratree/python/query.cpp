@@ -123,7 +123,7 @@ auto of_poses(const char* name)
   };
 }
 
-/// Calls answer(k, value of the query for pair k) for all pairs. Throws Error with the name of a pose that is none.
+/// Calls answer(k, query, pose of a, pose of b) for each pair k. Throws Error with the name of a pose that is none.
 template <class Answer_of>
 void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answer)
 {

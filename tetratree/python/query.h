@@ -13,9 +13,9 @@ namespace tetracone::python {
 
 /// Returns the columns of overlaps, as `Query.overlap` documents them; of one pair the single values.
 pybind11::dict overlap_columns(std::span<const Overlap> found, bool is_one);
-/// Same of exits and `Query.exits`.
+/// Returns the columns of exits, as `Query.exits` documents them.
 pybind11::dict exit_columns(std::span<const Exits> found, bool is_one);
-/// Same of depths and `Query.depth`.
+/// Returns the columns of depths, as `Query.depth` documents them.
 pybind11::dict depth_columns(std::span<const Depth> found, bool is_one);
 
 /// Returns the exact texts of three numbers. Throws Error for another count.

@@ -21,8 +21,8 @@ std::string type_of(const pybind11::handle& value);
 std::string digits_of(const pybind11::handle& integer);
 
 /// Returns the text that the door reads as exactly this number. It is a text itself, the shortest decimal of a float,
-/// and else "n/d". The denominator 1 is written too, since a decimal would be rounded. A value that is no number gives
-/// its name in messages.
+/// and else "n/d". The denominator 1 is written too, since a decimal would be rounded. For a value that is no number it
+/// is "a TYPE", for messages.
 std::string exact_text(const pybind11::handle& value);
 
 /// Returns a file's name from str, bytes or os.PathLike, of any bytes except 0. Throws Error for a text that names no

@@ -15,7 +15,7 @@ struct No_lock {
   void unlock() {}
 };
 
-/// Calls each(0) .. each(count - 1) without the interpreter's lock. It holds the lock `own`, and never waits for that
+/// Calls each(0) .. each(count - 1) without the interpreter's lock. It holds the lock `own`, and never waits for `own`
 /// while it holds the interpreter's. Ctrl-C raises KeyboardInterrupt; it is looked for between chunks of calls, at most
 /// ten times a second.
 template <class Lock, class Each>

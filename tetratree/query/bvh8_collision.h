@@ -45,10 +45,10 @@ enum class Coherence {
 /// - the descent of pairs of boxes: the larger box is opened, and its eight parts are tested against the other box.
 ///   That box is carried into their frame with a slack that covers all rounding, the pose's included;
 /// - pairs of elements, which the signs of K decide. Where exact signs tell a pair apart, `Separating_face` may find
-///   that the plane of one parts the bodies, or `kernel::are_parted_by_vertices` another plane. Bodies of few vertices
-///   are asked for the latter before the descent.
+///   that the plane of one parts the bodies, or `kernel::are_parted_by_vertices` another plane. For bodies of few
+///   vertices, the search for the latter comes before the descent.
 ///
-/// So the answer equals testing all elements against all elements, and is exact where these signs are. For solids whose
+/// So the answer equals testing all elements against all elements, and is exact where K's signs are. For solids whose
 /// surfaces share no point, `Bvh8_containment` decides whether one holds the other.
 ///
 /// Both trees, and their models, must outlive the query object. The constructor and every query throw
@@ -78,7 +78,7 @@ class Bvh8_collision {
   }
 
   /// Returns the relation of the two placed polyhedra. Requires as above. `memory` keeps what was learnt about this
-  /// pair of placed bodies; null: what the object keeps, if anything.
+  /// pair of placed bodies; null: the object's own memory, if it has one.
   Relation relation(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid,
                     Pair_memory* memory = nullptr)
   {
@@ -115,7 +115,8 @@ class Bvh8_collision {
       });
   }
 
-  /// Returns the bodies at the last pose that was asked. Requires that the caller's poses still exist.
+  /// Return the bodies at the last pose that was asked. Require that its question was `for_element_pairs` or its answer
+  /// was not `apart`, and that the caller's poses still exist.
   covering::Placed_model<K>& placed_a()
   {
     place();
@@ -137,8 +138,7 @@ class Bvh8_collision {
     return body == 0 ? containment_.holds(b_, a_, v, counts_) : containment_.holds(a_, b_, v, counts_);
   }
 
-  /// After `apart`: a lower bound of the distance of the placed bodies, by the plane between them. 0 if no plane was
-  /// found.
+  /// Returns, after `apart`, a lower bound of the distance by the plane between the bodies; 0 if none was found.
   double certified_gap() const { return is_plane_tried_ ? separating_direction_.gap() : 0; }
 
   const Query_statistics& counts() const { return counts_; }
@@ -162,10 +162,10 @@ class Bvh8_collision {
   /// Directions tried before the search for a plane ends.
   static constexpr int most_directions = 6;
 
-  /// Bodies of so few vertices are parted by these before any box is opened: that costs less.
+  /// For up to this many vertices of both bodies, a plane between these is looked for first: boxes cost more.
   static constexpr std::size_t few_vertices = 64;
 
-  /// The vertices along directions that cost about as much as a pair of triangles that exact signs decide.
+  /// Projecting this many vertices costs about as much as deciding a pair of triangles by exact signs.
   static constexpr std::size_t vertices_of_pair = 256;
 
   /// True when a plane is found between the bodies. It is looked for once in a pose.
@@ -264,8 +264,8 @@ class Bvh8_collision {
 
   std::size_t vertex_count() const { return a_.placed.model().vertices().size() + b_.placed.model().vertices().size(); }
 
-  /// True when a plane is found between the bodies' vertices, in at most `steps` directions from the last one that was
-  /// tried. It is looked for by the adaptive kernel alone.
+  /// True when a plane is found between the bodies' vertices, in at most `steps` directions. The first is the direction
+  /// along which they overlap least. Only the adaptive kernel looks for it.
   bool are_parted_by_vertices(int steps)
   {
     if constexpr (std::is_same_v<K, kernel::Adaptive>) {
@@ -285,7 +285,7 @@ class Bvh8_collision {
   }
 
   /// True when a plane is found between the bodies, after exact signs told `told` pairs of elements apart, these two
-  /// last. Each way is tried when it costs no more than the pairs did.
+  /// last. Each search is made when it costs no more than the pairs did.
   bool are_parted_beside(const Element& a, const Element& b, std::size_t told)
   {
     if (separating_face_(a_, a, b_, b, parted_by_, kept_sides_)) return true;
@@ -326,8 +326,8 @@ class Bvh8_collision {
     return any_pair(boxes, [this](const Element& a, const Element& b) { return elements_meet(a, b); });
   }
 
-  /// Tells whether elements of two leaves meet, else a lower bound of the distance of any two. A positive certified gap
-  /// proves that triangles do not meet; the signs of K decide the others.
+  /// Returns whether elements of two leaves meet and, if not, a lower bound of the distance of any two. A positive
+  /// certified gap proves that triangles do not meet; the signs of K decide the others.
   Bvh8_front::Leaf_gap gap_of_leaves(const Box_ids& boxes)
   {
     Bvh8_front::Leaf_gap all{false, std::numeric_limits<double>::infinity(), {}};

@@ -80,7 +80,7 @@ class Bvh8_containment {
     return false;
   }
 
-  /// `ray` is a box about the ray from the vertex away from the origin.
+  /// Returns the holder's winding number about vertex v. `ray` is a box about the ray from v away from the origin.
   int winding_number(Placed& holder, Placed& held, Index v, const kernel::Single_box& ray, Query_statistics& counts)
   {
     const Point& p = held.placed.point(v);

@@ -293,7 +293,7 @@ class Bvh8_distance {
     if constexpr (is_exact) candidates_.push_back(std::move(pair));
   }
 
-  /// Returns a limit in common units, rounded, and an upper bound of it.
+  /// Returns a limit in common units, rounded; `above_limit` returns an upper bound of it.
   double below_limit(const kernel::Rational& limit) const
   {
     return std::ldexp(kernel::nearest_double(limit), -frame_->exponent());
@@ -695,7 +695,7 @@ class Bvh8_distance {
   std::optional<kernel::Common_frame> frame_;
   std::array<std::optional<kernel::Box_map>, 2> into_other_;
   std::array<float, 2> stretch_{};  // factor of lower bounds, from a body's local units
-  std::array<float, 2> size_{};     // the factor of sizes, about equal
+  std::array<float, 2> size_{};     // factor of sizes, about the same number
   std::vector<Box_pair> rest_;      // pairs that a dive leaves
   Pair_queue<Box_pair, 1> queue_;
   std::array<Opening, kernel::most_gap_tests> open_;

@@ -39,9 +39,9 @@ struct Meeting {
 /// order of the times from which on they may meet. Those times come from two similarities near the whole span
 /// (`Span_reference`) or, if there are none, from the span's own coefficients (`Motion_span`).
 ///
-/// A pair waits for the halves of the span if the bodies turn too far in it for the pair's size. Triangles are compared
-/// in halves sooner than boxes, in the same order. Triangles are decided in integers. A pair that may meet only after
-/// the first contact found so far is discarded.
+/// A pair waits for the halves of the span if the bodies turn too far in it for the pair's size. Pairs of leaves are
+/// compared in halves at smaller turns already. Triangles are decided in integers. A pair that may meet only after the
+/// first contact found so far is discarded.
 ///
 /// Both trees must outlive the query object. The constructor and every query throw kernel::Unsound_floating_point when
 /// floating point is not as exact answers need it.
@@ -197,7 +197,7 @@ class Bvh8_motion {
     }
   }
 
-  /// What boxes lose by turning in a span.
+  /// How much gaps of boxes lose because bodies turn in a span.
   struct Turning {
     std::array<float, 2> turn, scale;
     float rest, least;

@@ -53,8 +53,8 @@ class Bvh8_rays {
   /// The end of a ray without one.
   static constexpr double no_end = std::numeric_limits<double>::infinity();
 
-  /// Returns the hit of least t; of several faces there, the one of least number. Nothing where that t is above `end`.
-  /// Requires finite numbers and a direction that is not 0.
+  /// Returns the hit of least t; of several faces there, the one of least number. Nothing if no face is met up to
+  /// `end`. Requires finite numbers and a direction that is not 0.
   std::optional<Ray_hit> first(const Ray& ray, double end = no_end)
   {
     begin(ray, true, end);
@@ -146,7 +146,7 @@ class Bvh8_rays {
     return tree_->model().vertices()[element.corner[std::size_t(k)]];
   }
 
-  /// Begins a ray. With `first_alone`, boxes beyond the first hit so far are not opened. No boxes beyond `end` are.
+  /// Begins a ray. If it is local, boxes beyond `end` or, with `first_alone`, beyond the first hit are not opened.
   void begin(const Ray& ray, bool first_alone, double end)
   {
     ray_ = ray;

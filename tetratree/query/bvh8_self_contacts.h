@@ -33,7 +33,7 @@ class Bvh8_self_contacts {
       : tree_(tree), polyhedron_(polyhedron), pairs_(tree.model())
   {}
 
-  /// True when no pair is improper. It stops at the first that is.
+  /// True when no pair is improper. Pairs are settled in lots of about `at_once`; it stops after an improper lot.
   bool is_simple()
   {
     Found_contacts found;

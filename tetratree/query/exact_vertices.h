@@ -21,7 +21,7 @@ class Exact_vertices {
       : vertices_(&vertices), place_(vertices.size(), none)
   {}
 
-  /// Sets the pose of the body; `other` places the body that shares the weight. `pose` must outlive its use here.
+  /// Sets the body's pose; `other` places the body that shares the weight. `pose` must live until the next call.
   void place(const kernel::Pose& pose, const kernel::Pose& other)
   {
     for (const std::uint32_t v : found_) place_[v] = none;
@@ -33,6 +33,7 @@ class Exact_vertices {
     has_entries_ = false;
   }
 
+  /// Returns the exact image of vertex v times `weight`; it is valid until the next `place`.
   const kernel::Exact_vector& operator()(covering::Index v)
   {
     if (place_[v] == none) {

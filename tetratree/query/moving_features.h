@@ -309,7 +309,7 @@ class Moving_feature_search {
     int feature = all;      ///< a vertex of A's or of B's triangle, or two edges
     bool is_sharp = false;  ///< the times of features come from axes at about these times
 
-    /// Value of `feature` for whole triangles; less than that is one of their 6 vertex-face and 9 edge-edge pairs.
+    /// Value of `feature` for whole triangles; a smaller one is one of their 6 vertex-face and 9 edge-edge pairs.
     static constexpr int all = 15;
 
     double from() const { return in_span(part, times.from); }

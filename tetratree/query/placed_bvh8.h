@@ -28,6 +28,7 @@ struct Placed_bvh8 {
   /// Returns the signed size of the root's box.
   float size() const { return tree->node(0).signed_size(0); }
 
+  /// Returns the placed corners of a triangle. Requires an element that is no whole face.
   kernel::Corners<K> corners(const Element& element)
   {
     return {&placed.point(element.corner[0]), &placed.point(element.corner[1]), &placed.point(element.corner[2])};

@@ -25,9 +25,9 @@ class Separating_face {
   /// Whose triangle has all corners of the other one strictly on one side of its plane: `b` where A's has not.
   enum class Parted_by { neither, a, b };
 
-  /// Tells of two elements that only exact signs have found apart, and of what parts them. True when the plane of
-  /// either is found to separate the placed bodies. It is tried when it costs no more than the pairs told so far. An
-  /// attempt that fails makes the next one less likely to succeed, which waits for twice as many pairs.
+  /// True when the plane of one of two elements is found to separate the placed bodies. Requires elements that only
+  /// exact signs have found apart. Planes are tried when that costs no more than deciding the pairs of all calls so
+  /// far. A failure makes the next attempt less likely to succeed, so that attempt waits for twice as many pairs.
   bool operator()(Placed_bvh8<>& a, const Element& of_a, Placed_bvh8<>& b, const Element& of_b, Parted_by parted_by,
                   kernel::Kept_sides& sides_of)
   {
@@ -47,16 +47,16 @@ class Separating_face {
   using Corners = kernel::Corners<Adaptive>;
   using Sign = kernel::Sign;
 
-  /// The vertices whose signs cost about as much as a pair of triangles that exact signs decide.
+  /// The signs of this many vertices cost about as much as deciding a pair of triangles by exact signs.
   static constexpr std::size_t vertices_of_pair = 16;
 
-  /// The closed side of a triangle's plane that holds its body, where it stands.
+  /// The closed side of a triangle's plane that holds its body, before it is placed.
   enum class Side : std::uint8_t { unknown, negative, in_plane, positive, neither };
 
   static std::size_t vertex_count(const Placed_bvh8<>& body) { return body.placed.model().vertices().size(); }
 
-  /// True when the plane of an element of `body` separates it from the other body. `sides` are those that are known of
-  /// the body's elements, by their numbers.
+  /// True when the plane of an element of `body` separates it from the other body. `sides` are the sides of the body's
+  /// elements, by their numbers, as far as they are known.
   bool separates(Placed_bvh8<>& body, const Element& element, std::vector<Side>& sides, Placed_bvh8<>& other,
                  kernel::Kept_sides& sides_of)
   {
@@ -111,7 +111,7 @@ class Separating_face {
 
   std::vector<Side> side_of_a_, side_of_b_;     // of each element; empty before the first attempt
   std::vector<const Adaptive::Point_3*> near_;  // of an attempt: the vertices whose sides the filter leaves undecided
-  std::size_t pairs_ = 0, next_attempt_ = 0;    // of this query: told so far, and before the next attempt
+  std::size_t pairs_ = 0, next_attempt_ = 0;    // of this query: so far, and before the next attempt
 };
 
 }  // namespace tetracone::tetratree

@@ -117,8 +117,8 @@ class Crossing_overlap {
  public:
   using N = typename Placing::Number;
 
-  /// Requires `is_general`, and solids of which neither is apart from the other by a plane. Throws
-  /// CGAL::Uncertain_conversion_exception where intervals do not tell a sign.
+  /// Requires `is_general`, and what `is_vertex_inside` requires. Throws CGAL::Uncertain_conversion_exception where
+  /// intervals do not decide a sign.
   Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found,
                    const Is_vertex_inside& is_vertex_inside)
       : placing({&a, &b}),
@@ -206,7 +206,7 @@ class Crossing_overlap {
         .first->second;
   }
 
-  /// Joins the ends of edges that are both inside or both outside, and notes what crossings tell of the others.
+  /// Joins the ends of edges that are both inside or both outside, and notes which ends of the other edges are inside.
   void join_edges(int body)
   {
     const covering::Polyhedron& polyhedron = solid_[body]->polyhedron();
@@ -228,7 +228,7 @@ class Crossing_overlap {
     for (const auto& [place, is_inside] : told) is_inside_[body][joined_[body].root(place)] = is_inside;
   }
 
-  /// True when a vertex is inside the other body. Where no crossing tells, it is asked.
+  /// True when a vertex is inside the other body. `is_vertex_inside` is asked where no crossing decides.
   bool is_inside(int body, Index v)
   {
     const auto [at, is_new] = is_inside_[body].try_emplace(joined_[body].root(solid_[body]->sides().place(v)));
@@ -288,7 +288,7 @@ class Crossing_overlap {
   std::array<bool, 2> has_whole_{};
 };
 
-/// True where two solids are simple and in general position.
+/// True where two solids are simple, and each piece is a segment at whose ends edges cross the insides of faces.
 inline bool is_general(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found)
 {
   const auto is_proper = [](const kernel::Triangle_contact::Corner& corner) {
@@ -305,7 +305,7 @@ struct Overlap_enclosure {
   kernel::Number_point<Interval> centroid = {0, 0, 0};
 };
 
-/// Returns enclosures of the volume and the centroid; nothing where doubles do not tell them. Requires `is_general`.
+/// Returns enclosures of the volume and the centroid; nothing where intervals do not suffice. Requires `is_general`.
 inline std::optional<Overlap_enclosure> enclosed_overlap(const Placed_solid& a, const Placed_solid& b,
                                                          const Found_contacts& found,
                                                          const Is_vertex_inside& is_vertex_inside)

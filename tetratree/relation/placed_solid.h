@@ -27,7 +27,7 @@ using kernel::Rational_point;
 struct Normal_sides {
   bool along = false, against = false;
 
-  /// True when the solid is not beside the point on some side.
+  /// True when some side of the point is not in the solid.
   bool any_out() const { return !along || !against; }
 };
 

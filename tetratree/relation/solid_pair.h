@@ -45,18 +45,18 @@ struct Seen_cell {
 struct Solid_overlap {
   kernel::Exact_solid all;
   Rational_point contact_vector = {0, 0, 0};
-  std::vector<Rational> squared_areas;  ///< of the common parts of faces; each point of a face is in one of them
+  std::vector<Rational> squared_areas;  ///< for each face of A that touches B, of its area on B; each point counts once
 };
 
 /// Two placed solids and all that their surfaces share.
 ///
 /// The faces of both cut space into regions. Each solid holds all of a region, or nothing of its inside. Every region
-/// of a solid is beside a cell: a part of a face that no other face cuts. So the sides of all cells tell
+/// of a solid is beside a cell: a part of a face that no other face cuts. So the sides of all cells decide
 /// - whether the interiors share a point: some side is in both solids;
 /// - whether A lies in B: no side is in A alone, and no point of A's surface is outside B.
 ///
 /// A face that meets no face of the other body is not cut by it. Such faces that are connected by their corners are
-/// inside or outside the other solid together, so that one corner tells for all.
+/// inside or outside the other solid together, so one corner decides for all.
 class Solid_pair {
  public:
   using Loops = std::vector<std::vector<Rational_point>>;
@@ -156,8 +156,8 @@ class Solid_pair {
         });
   }
 
-  /// Calls what(face, cells, seen cells) for each face with area that meets the other body, and for each that is no
-  /// triangle. Ends where what() returns false.
+  /// Calls what(face, cells, seen cells) for each face with area that meets the other body or is no triangle. Ends
+  /// where what() returns false.
   template <class What>
   void for_cut_faces(int body, const What& what)
   {
@@ -277,8 +277,8 @@ class Solid_pair {
     });
   }
 
-  /// Visits all faces that may bound the overlap. Calls of_cells(body, face, cells, seen cells) for those of which
-  /// cells have to be looked at. Calls of_whole(body, face, weight) for whole triangles that bound it.
+  /// Visits all faces that may bound the overlap. Calls of_cells(body, face, cells, seen cells) for faces whose cells
+  /// have to be looked at. Calls of_whole(body, face, weight) for whole triangles that bound it.
   template <class Of_cells, class Of_whole>
   void for_border(const Of_cells& of_cells, const Of_whole& of_whole)
   {
@@ -388,7 +388,7 @@ class Solid_pair {
     }
   }
 
-  /// Looks at edges that no area need be beside: those of faces without area, and of faces that are no triangles.
+  /// Looks at edges that may have no area beside them: edges of faces without area, and of faces that are no triangles.
   ///
   /// Each is cut where a face of either body meets it. A part that is on no face with area is beside one region alone.
   void note_lone_edges(int body)
@@ -433,7 +433,7 @@ class Solid_pair {
     (solid_[1 - body].locate(x) == covering::Location::outside ? found_.sticks_out[body] : found_.shares_point) = true;
   }
 
-  /// True when x is in or beside the area of the face, or of one that meets it.
+  /// True when x is in a closed cell of the face, or of one that meets it.
   static bool is_on_area(Placed_solid& own, Index f, const Rational_point& x)
   {
     const auto holds = [&](Index g) {

@@ -41,8 +41,8 @@ inline void add_cuts(const kernel::Rational_face& p, const kernel::Rational_face
 ///
 /// A triangle is *plain* if it has area, and no other face meets it but in a vertex or an edge of both (by
 /// coordinates). Then no face divides its sides. Two plain triangles have equal sides, and belong to one *patch*, where
-/// they share an edge in opposite directions. That edge must be of no other face. One point tells the sides of a patch.
-/// Every other face is cut into cells by those that meet it. One point of each cell tells its sides.
+/// they share an edge in opposite directions. No other face may have that edge. One point decides the sides of a patch.
+/// Every other face is cut into cells by those that meet it. One point of each cell decides its sides.
 class Solid_sides {
  public:
   /// A face's sides. `front` is the side from which its corners are anticlockwise.
@@ -83,7 +83,7 @@ class Solid_sides {
   /// Returns the least n >= 0 such that all coordinates times 2^n are integers.
   int fraction_bits() const { return fraction_bits_; }
 
-  /// Returns the faces that are not triangles with area: no tree of triangles leads to them.
+  /// Returns the faces that are no triangles with area, ascending.
   std::span<const Index> uneven() const { return uneven_; }
 
   /// Returns the other faces that meet face `f` elsewhere than in a common vertex or edge. A plain face has none.

@@ -16,8 +16,8 @@ namespace tetracone::tetratree {
 /// (verify/proofs/scene_proofs.h).
 inline constexpr double body_box_rounding = 0x1p-49;
 
-/// Returns the gap along an axis, from the upper side of a box to the lower side of another. `between` is the other's
-/// centre minus the first's.
+/// Returns the gap along an axis, from the upper side `high` of a box to the lower side `low` of another. Sides are
+/// relative to the centres; `between` is the other's centre minus the first's.
 template <class Number>
 Number gap_along(const Number& between, const Number& low, const Number& high)
 {
@@ -37,7 +37,7 @@ Number lower_side(const Number& place, const Number& low, const Number& grown)
 {
   return place + low - grown;
 }
-/// Returns the upper side of such a box.
+/// Returns the upper side of the box.
 template <class Number>
 Number upper_side(const Number& place, const Number& high, const Number& grown)
 {
@@ -81,6 +81,7 @@ class alignas(32) Body_box {
     return box;
   }
 
+  /// True when the box about the body, where it is now, is within another.
   bool is_within(const World_box& box, const Body_place& place) const
   {
     const double more = grown(place);
@@ -92,8 +93,8 @@ class alignas(32) Body_box {
     return is_in;
   }
 
-  /// Returns a lower bound of the distance of two bodies, along the axis on which their boxes are farthest apart. It is
-  /// not above 0 where the boxes meet.
+  /// Returns a lower bound of the distance of two bodies, along the axis with the largest gap of their boxes. It is not
+  /// above 0 where the boxes meet.
   double gap(const Body_place& place, const Body_box& other, const Body_place& other_place) const
   {
     double most = -std::numeric_limits<double>::infinity(), terms = 0;

@@ -14,7 +14,7 @@
 
 namespace tetracone::tetratree {
 
-/// Upper bound of the relative error of a root of a sum of squares, with what it is multiplied by
+/// Upper bound of the relative error of a root of a sum of squares, and of the product and sums after it
 /// (verify/proofs/scene_proofs.h).
 inline constexpr double step_rounding = 0x1p-48;
 
@@ -136,10 +136,11 @@ inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
 /// rounded |.|_1. It suffices since |p_k| <= 1 locally (verify/proofs/scene_proofs.h).
 inline constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
 
-/// Returns a box about the placed body, by the reaches of the body along each axis: unit h(M_i) from its local origin.
-/// The box is all of space beyond `Local_scale::is_in_range`; within it, absolute errors are below 2^-1075 times 2^202.
+/// Returns a box about the placed body, by its reaches along the rows M_i of the pose. The box is all of space where
+/// the scale is not in range (`Local_scale::is_in_range`), or an |M_i|_1 is not in 1e-30 .. 1e30. Else absolute errors
+/// are below 2^-1075 times 2^202.
 ///
-/// `table` is of the body, `scale` of its tree.
+/// `table` and `scale` belong to the body's tree.
 inline World_box world_box(Support_table& table, const kernel::Local_scale& scale, const kernel::Pose& pose)
 {
   static_assert(placed_underflow >= 0x1p-1074 * 0x1p201);
@@ -173,8 +174,8 @@ inline World_box world_box(Support_table& table, const kernel::Local_scale& scal
   return box;
 }
 
-/// The rounded centre of a body's box, and `turned`, the sum of its steps since the body was placed. It is an upper
-/// bound of the distance by which a point has moved relative to the centre.
+/// The rounded centre of a body's box, and the sum of `Body_step::turned` since the body was placed. The sum is an
+/// upper bound of the distance by which a point has moved relative to the centre.
 struct alignas(32) Body_place {
   std::array<double, 3> at{};
   double turned = 0;

@@ -45,6 +45,7 @@ class Box_tree {
   }
 
   bool holds(Item item) const { return item < place_.size() && place_[item] != no_place; }
+  /// Returns the number of items of the last `build`, including those removed since.
   std::size_t count() const { return count_; }
 
   /// Gives an item another box, and updates the boxes above it. Requires that the tree holds the item.
@@ -59,7 +60,7 @@ class Box_tree {
     }
   }
 
-  /// Takes an item out. Requires that it is not marked.
+  /// Takes an item out. Requires that the tree holds it, and that it is not marked.
   void remove(Item item)
   {
     set(item, nothing);
@@ -91,8 +92,8 @@ class Box_tree {
       if ((node_of(place).marked &= ~bit_of(place)) != 0) break;
   }
 
-  /// Returns a search for all pairs in parts: about `enough` of them if there are as many. Their order depends on the
-  /// tree and its marks only.
+  /// Returns the parts of a search for all pairs: at least `enough` of them, unless the pairs are fewer. Their order
+  /// depends on the tree and its marks only.
   std::vector<Part> parts(std::size_t enough) const
   {
     std::vector<Part> parts, opened;
@@ -341,7 +342,7 @@ class Box_tree {
 
   Large_vector<Node> nodes_;
   std::vector<std::uint32_t> place_;  // the lane of each item
-  std::size_t count_ = 0;             // of items
+  std::size_t count_ = 0;             // of items at the last `build`
 
   struct Searches {
     std::size_t count = 0, opened = 0;

@@ -53,9 +53,9 @@ class Near_pairs {
   /// Returns the bytes of the pairs and of the bodies.
   std::size_t bytes() const;
 
-  /// Calls what(first, last) for the pairs of two models at a time, and keeps to the memory after each. Calls it once
-  /// for all pairs where the memory has no limit. `models_of(pair)` returns the models of a pair. Requires pairs sorted
-  /// by them.
+  /// Calls what(first, last) for the pairs of two models at a time, and then frees memory down to the limit. Calls it
+  /// once for all pairs where the memory has no limit. `models_of(pair)` returns the models of a pair. Requires pairs
+  /// sorted by their models.
   template <class Pairs, class Models, class What>
   void for_each_models(Pairs& pairs, const Models& models_of, const What& what)
   {
@@ -102,7 +102,7 @@ class Near_pairs {
 
   Scene_bodies& bodies_;
   tetratree::Pair_list near_;
-  std::vector<Number> open_;
+  std::vector<Number> open_;  // pairs to be asked
   std::unordered_set<std::uint64_t> ignored_;
   bool memory_has_fronts_ = true;             // false once fronts have exceeded the memory
   std::vector<std::uint64_t> seen_;           // the last search that found each body

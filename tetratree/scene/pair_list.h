@@ -15,7 +15,7 @@
 
 namespace tetracone::tetratree {
 
-/// Whether a near pair is to be asked in this frame, and how its query is.
+/// Whether a near pair is to be asked in this frame, and by which method its query is.
 enum class Pair_stage : std::uint8_t { answered, open, open_for_brute_force };
 
 /// Two bodies that are near one another, the lesser number first, with the certificate of the pair. Frames read all of
@@ -201,7 +201,7 @@ class Pair_list {
   std::vector<Number> free_;
   std::vector<std::uint32_t> free_asked_;
   std::vector<std::vector<Of_body>> of_;
-  std::size_t in_lists_ = 0;  // the sum of their capacities
+  std::size_t in_lists_ = 0;  // the sum of the capacities of `of_`
   std::size_t memory_bytes_ = 0;
 };
 

@@ -56,12 +56,12 @@ struct Scene_distance {
   double distance;  ///< the double nearest to their distance, 0 where they collide
 };
 
-/// The cost of a frame, or of a call of `first_contacts`.
+/// The cost of a frame, or of a call of `first_contacts` or `pairs_within`.
 struct Frame_statistics {
   std::size_t moved = 0;       ///< number of bodies whose pose or model changed
-  std::size_t kept = 0;        ///< near pairs of these that a certificate kept apart
+  std::size_t kept = 0;        ///< near pairs of moved bodies that a certificate kept apart
   std::size_t candidates = 0;  ///< other near pairs whose boxes met
-  std::size_t queries = 0;     ///< candidates that were asked as bodies
+  std::size_t queries = 0;     ///< candidates that a query decided
   std::size_t nodes_made = 0;  ///< nodes of the models' trees that were made
   std::size_t bytes = 0;       ///< bytes of models, queries and pairs afterwards
 };
@@ -96,9 +96,9 @@ class Scene {
   /// Takes a body out; its number is not used again. This and the next functions throw Error for a body that is not
   /// there.
   void remove_body(std::size_t body);
-  /// Makes the body one of another model.
+  /// Makes the body one of another model. Throws Error also for a model's number out of range.
   void set_model(std::size_t body, std::size_t model);
-  /// Leaves this pair out of all answers.
+  /// Leaves this pair out of all answers about pairs. Throws Error also for a body with itself.
   void ignore(std::size_t body_a, std::size_t body_b);
 
   /// Places a body; it stays there until it is placed anew.
@@ -136,7 +136,7 @@ class Scene {
 
   /// Returns the pairs that the budget left undecided in the last frame, in order.
   const std::vector<Undecided_pair>& undecided() const;
-  /// Returns the cost of the last frame, or of a later call of `first_contacts`.
+  /// Returns the cost of the last frame, or of a later call of `first_contacts` or `pairs_within`.
   const Frame_statistics& statistics() const;
 
   /// Returns the relation of two placed bodies now. Throws Error as `pairs`, and for bodies that are not placed.

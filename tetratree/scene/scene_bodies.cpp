@@ -26,7 +26,7 @@ constexpr double steps_ahead = 8, most_room = 1.0 / 8, places_ahead = 4, most_ro
 /// The room of new long bodies, which have many others near them; other new bodies get `most_room`.
 constexpr double first_room_of_long = 1.0 / 16;
 
-/// The number of steps within which `is_out_soon` looks.
+/// The number of steps that `is_out_soon` looks ahead.
 constexpr double soon = 2;
 
 /// A box that has grown by more than this fraction of its size is found anew, before the wide one is.
@@ -38,7 +38,8 @@ constexpr double most_grown = 1.0 / 32;
 /// - `pairs_for_tree`: near pairs of a model that are a reason to make its tree.
 constexpr std::size_t looked_at = 1024, pairs_for_tree = 32;
 
-/// When more than one in this many bodies has changed, the boxes of all are updated at once.
+/// When more than one in this many bodies of the scene needs a new wide box, all boxes of the tree are updated at once.
+/// When more than one in this many moved bodies does, bodies that will need one soon get it, too.
 constexpr std::size_t few_of_all = 8;
 
 /// The parts of a search that threads share.

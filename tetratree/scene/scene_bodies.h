@@ -24,7 +24,7 @@
 
 namespace tetracone::detail {
 
-/// How far a body of a scene has come.
+/// The state of a body of a scene: removed, added without a pose, placed, or in the tree of boxes.
 enum class Presence : std::uint8_t { removed, added, placed, in_tree };
 
 /// What a body has done since the last frame; `lost`: a step that has no bound.
@@ -86,9 +86,9 @@ class Scene_bodies {
   /// Returns the models of two bodies, the lesser number first.
   std::pair<Number, Number> models_of(std::size_t a, std::size_t b) const;
 
-  /// Finds the boxes of the bodies that have moved. Returns the bodies that have new wide boxes.
+  /// Updates the boxes of the bodies that have moved. Returns the bodies that have new wide boxes.
   std::vector<Number> update_boxes();
-  /// Returns the pairs of bodies whose wide boxes meet, in parts, of which one body at least is in `searched`.
+  /// Returns, in parts, the pairs of bodies whose wide boxes meet, with at least one body in `searched`.
   std::vector<tetratree::Large_vector<Body_pair>> meeting(const std::vector<Number>& searched);
 
   /// Finds a body's box at its present pose.
@@ -121,7 +121,7 @@ class Scene_bodies {
   }
 
  private:
-  /// The motion of a body since the last frame, rounded to float: of its centre, and its rotation.
+  /// The motion of a body's centre since the last frame, and its rotation, rounded to float.
   struct Step {
     std::array<float, 3> by{};
     float turned = 0;

@@ -16,7 +16,7 @@ namespace tetracone::detail {
 
 /// The state of a `Scene`: its bodies, and the pairs of them that are near one another.
 ///
-/// A frame moves the bodies, finds the near pairs of those that have left their wide boxes, and asks the near pairs
+/// A frame moves the bodies, finds the near pairs of bodies that have left their wide boxes, and asks the near pairs
 /// (`Near_pairs`).
 class Scene_data {
  public:

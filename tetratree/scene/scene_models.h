@@ -19,8 +19,8 @@
 
 namespace tetracone::detail {
 
-/// The models of a scene. A model is made when a frame or a question first needs it, and its tree when a query asks for
-/// it.
+/// The models of a scene. A model is made when a frame or a question first needs it. Its tree is made when a query or a
+/// tight box needs it.
 class Scene_models {
  public:
   using Number = std::uint32_t;
@@ -28,10 +28,11 @@ class Scene_models {
   explicit Scene_models(Question question) : question_(question) {}
 
   std::size_t count() const { return models_.size(); }
+  /// Adds a model; returns its number. `is_kept`: the caller keeps the body, so giving it back frees nothing.
   Number add(std::function<Body()> make, const std::string& name, bool is_kept);
 
-  /// Returns the body, made now if need be. Throws what making it throws, and Error where it is asked for its solid and
-  /// has none.
+  /// Returns the body, made now if need be. Throws what making it throws, and Error where the question is `solid` and
+  /// the body is open.
   const Body& body(Number model);
   /// Same, for a body that motions can follow. Throws Error also where a face has no triangles.
   const Body& body_of_triangles(Number model);
@@ -60,7 +61,7 @@ class Scene_models {
   struct Model {
     std::function<Body()> make;
     std::string name;
-    bool is_kept;                // by the caller, so that giving it back frees nothing
+    bool is_kept;                // see `add`
     bool has_triangles = false;  // true once it has been checked
     std::optional<Body> body;
     std::optional<tetratree::Body_extent> extent;
@@ -95,6 +96,7 @@ class Scene_worker {
 
   std::size_t bytes() const;
 
+  /// Bytes of a table of reaches.
   static constexpr std::size_t table_bytes =
       8 * tetratree::Support_table::row * tetratree::Support_table::row * sizeof(float);
 

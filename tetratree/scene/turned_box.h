@@ -26,7 +26,7 @@ inline constexpr double turned_radius_rounding = 0x1p-20, turned_extent_rounding
 /// A model's box, turned with a body; it bounds a long thin body better than a box along the world's axes.
 ///
 /// The placed body lies in {c + sum_j s_j a_j, |s_j| <= e_j}. The axes have length 1 and are pairwise at right angles
-/// up to 2^-23. Nothing is known under a pose that is no similarity, and near the ends of the doubles' range.
+/// up to 2^-23. Nothing is known under a pose whose columns are not at right angles, and near the ends of doubles.
 struct Turned_box {
   kernel::Vertex centre{};
   std::array<kernel::Vertex, 3> axis{};
@@ -45,12 +45,12 @@ struct Turned_box {
 /// - `most_skewed`: upper bound of the cosine between two columns of a pose.
 inline constexpr double turned_rounding = 0x1p-20, turned_centre_rounding = 0x1p-22, most_skewed = 0x1p-24;
 
-/// Returns the turned box of a body under a pose; unknown where the pose is no similarity.
+/// Returns the turned box of a body under a pose; unknown unless the columns of the pose are pairwise at right angles.
 ///
 /// The image of c + sum_j s_j half_j e_j is M c + t + sum_j s_j half_j m_j, where m_j are the columns of M. The extents
 /// are therefore half_j |m_j|. The centre has an error of `placed_rounding` times its terms in each coordinate, and of
-/// less than twice that along an axis. It includes the rounding of a fraction's entries. Columns are longer than
-/// 2^-101, so an absolute error of 2^-1075 in their entries is far below `turned_rounding` times them.
+/// less than twice that along an axis. This error includes the rounding of a fraction's entries. Columns are longer
+/// than 2^-101, so an absolute error of 2^-1075 in their entries is far below `turned_rounding` times them.
 inline Turned_box turned_box(const Body_extent& extent, const kernel::Pose& pose)
 {
   Turned_box box;
@@ -77,12 +77,12 @@ inline Turned_box turned_box(const Body_extent& extent, const kernel::Pose& pose
   return box;
 }
 
-/// Returns, for up to eight boxes, a lower bound of the distance from `one`, in world units; not above 0 where nothing
-/// is known.
+/// Returns, for up to eight boxes, a lower bound of the distance from `one`, in world units; 0 where nothing is known.
 ///
-/// All are compared in float about the centre of `one`, in a unit of more than four radii. A box whose bounding box
-/// along the world's axes meets that of `one` is within 1. If one of the others reaches beyond 2, nothing is known of
-/// any. A centre has a relative error of 2^-24 in each coordinate, and of less than twice that along an axis.
+/// All are compared in float about the centre of `one`, in a unit above four times the sum of `one`'s radius and the
+/// others' largest. A box whose bounding box along the world's axes meets that of `one` is within 1. If one of the
+/// others reaches beyond 2, nothing is known of any. A centre has a relative error of 2^-24 in each coordinate, and of
+/// less than twice that along an axis.
 inline std::array<double, kernel::lanes> turned_gaps(const Turned_box& one, std::span<const Turned_box> others)
 {
   double radius = 0;

@@ -9,8 +9,8 @@
 
 namespace tetracone {
 
-/// Returns the choices for a method's tetra-trees and their queries. `Method::tree` has no tetra-tree; it gets those of
-/// `Method::tuned`.
+/// Returns the choices for a method's tetra-trees and their queries. `Method::tree` has no tetra-tree; it gets the
+/// choices of `Method::tuned`.
 inline tetratree::Config config_of(Method method)
 {
   switch (method) {

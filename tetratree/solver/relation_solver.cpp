@@ -245,7 +245,7 @@ class Bvh8_relation_solver : public Relation_solver {
     return interiors_meet(relation_alone(moved, unmoved));
   }
 
-  /// Requires interiors that share a point.
+  /// Returns the heights of the exits in the view. Requires interiors that share a point.
   tetratree::Exit_heights exit_heights(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
                                        const kernel::Rational_point& direction, const kernel::Direction_view& view)
   {
@@ -266,7 +266,7 @@ class Bvh8_relation_solver : public Relation_solver {
     text = kernel::to_string(exact);
   }
 
-  /// What only poses need that the first crossing does not decide.
+  /// The parts that are made when a proper crossing does not decide.
   struct Exactly {
     Exactly(const Body_data& a, const Body_data& b)
         : contacts(a.bvh8(), a.bvh8().model(), a.polyhedron, b.bvh8(), b.bvh8().model(), b.polyhedron),
@@ -294,7 +294,7 @@ class Bvh8_relation_solver : public Relation_solver {
     return exactly().contacts.contacts(pose_a, pose_b);
   }
 
-  /// Returns the dimension of the pieces together; -1 for none.
+  /// Returns the largest dimension of a piece; -1 for none.
   static int dimension_of(const tetratree::Found_contacts& found)
   {
     int dimension = -1;

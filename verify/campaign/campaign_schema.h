@@ -9,7 +9,7 @@
 namespace tetracone::verify {
 
 /// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor,
-/// seed, and the command line `again`, which repeats the whole campaign.
+/// seed, whether real meshes were there, and a command line. The command line `again` repeats the whole campaign.
 ///  - done: how many cases of a batch a subject has been asked; the subject 'truth' stands for the truths.
 ///  - tally: answers by subject, question (or predicate) and distance to degeneracy.
 ///    Each answer is counted once on each of two axes. Axis 'rho' has bins of log2 of the relative determinant, and
@@ -19,10 +19,10 @@ namespace tetracone::verify {
 ///    poses with a fraction, which kernels and libraries of doubles cannot be given. At the levels 'features',
 ///    'contacts', 'rays' and 'scenes' (there for a frame's pairs) an answer is a list, and the truth is the list's
 ///    length. An answer that lacks elements counts as its number of right ones, which is lower. An answer with more
-///    elements counts as its length, which is higher. At the level 'distances' an answer is its number of right
-///    statements, and the truth is the number of statements. At the level 'motions' the questions 'surface' and 'solid'
-///    are whether bodies meet. 'surface time' and 'solid time' are asked where both truth and answer say that they
-///    meet: 0 for the exact time, -1 for an earlier, 1 for a later one. At the level 'relations' the question
+///    elements counts as its length, which is higher. At the levels 'distances' and 'exits' an answer is its number of
+///    right statements, and the truth is the number of statements. At the level 'motions' the questions 'surface' and
+///    'solid' are whether bodies meet. 'surface time' and 'solid time' are asked where both truth and answer say that
+///    they meet: 0 for the exact time, -1 for an earlier, 1 for a later one. At the level 'relations' the question
 ///    'relation' is the number of one of the eight, and 'dimension' is that of the contact. The question 'overlap' is
 ///    the number of right statements about the overlap.
 ///  - rounded: answers of subjects that hold their input as floats, judged by the truth of the rounded input too. Bins

@@ -30,7 +30,7 @@ struct Statement {
   std::optional<int> rounded_truth{};    ///< of the input in floats, where the subject holds it so
 };
 
-/// The results of a batch of cases, stored in the database as one transaction. Names are those of its tables.
+/// The results of a batch of cases, stored in the database as one transaction. Members are named after its tables.
 class Findings {
  public:
   Findings(std::string level, std::string family) : level_(std::move(level)), family_(std::move(family)) {}

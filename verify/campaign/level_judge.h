@@ -108,7 +108,7 @@ class Page {
 
   /// True: all relations are tried with a case, as for lists and scenes. False: one is, and another with the next case.
   static constexpr bool tries_all_relations = false;
-  static constexpr bool counts_not_applicable = true;
+  static constexpr bool counts_not_applicable = true;  ///< whether relations that do not apply are counted
 
   /// Returns true when the case is asked.
   bool takes(const Case&) const { return true; }

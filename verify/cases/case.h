@@ -20,7 +20,7 @@ enum class Case_kind { predicate, object };
 
 /// The origin of a case, from which it can be made again.
 struct Origin {
-  std::string family;  ///< a name of `families()`
+  std::string family;  ///< the family's name
   std::uint64_t seed = 0, index = 0;
   double parameter = 0;
 };

@@ -39,11 +39,11 @@ struct Case_file {
   const Origin& origin() const { return level == Case_kind::object ? object->origin : points->origin; }
 };
 
-/// True when the file's name is that of a case file.
+/// True when a path has the name of a case file.
 bool is_case_name(const std::filesystem::path& path);
 
-/// Reads a case file. Throws covering::Input_error, with the line, for anything that is not exactly of the form that
-/// `to_json` writes, or cannot be asked. These are:
+/// Returns the contents of a case file. Throws covering::Input_error, with the line, for anything that is not exactly
+/// of the form that `to_json` writes, or cannot be asked. These are:
 /// - missing or unknown fields, and wrong types;
 /// - numbers that are not finite, and coordinates that are no doubles;
 /// - vertex numbers out of range;
@@ -52,7 +52,7 @@ bool is_case_name(const std::filesystem::path& path);
 /// - an open surface asked for its solid.
 Case_file read_case(const std::filesystem::path& path);
 
-/// Reads a case from a text; `name` stands for the file in messages.
+/// Returns the contents of a text, as `read_case`; `name` stands for the file in messages.
 Case_file parse_case(const std::string& text, const std::string& name);
 
 /// Returns the file's text, with one vertex, one face or one row of a pose per line. Doubles are their shortest

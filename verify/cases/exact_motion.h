@@ -150,7 +150,7 @@ inline std::optional<kernel::Pose> translated_back(const kernel::Pose& pose, con
   return translated(pose, shift);
 }
 
-/// Returns the inverse of `pose`, applied after `first`. It has fractions only if one of the two has some.
+/// Returns the inverse of `pose`, applied after `first`; nothing if it needs fractions and neither of the two has any.
 inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const kernel::Pose& first)
 {
   const Entries m = entries_of(pose), n = entries_of(first);

@@ -8,9 +8,9 @@
 
 namespace tetracone::verify {
 
-/// Returns the direction in which a case's first body is to leave the second, which is not 0. It is that in which the
-/// family knows the exits, if it knows some. Else the case's number chooses: an axis, small integers, the normal of a
-/// face, an edge, or the way from one vertex to another.
+/// Returns the direction in which a case's first body is to leave the second, which is not 0. The family's is taken if
+/// it knows exits along one. Else the case's number chooses: an axis, small integers, the normal of a face, an edge, or
+/// the vector between two vertices.
 std::array<kernel::Rational, 3> exit_direction(const Object_case& c);
 
 /// Returns a direction as a query takes it.

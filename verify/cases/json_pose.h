@@ -6,10 +6,10 @@
 
 namespace tetracone::verify {
 
-/// Reads a pose of three rows of four numbers. Throws covering::Input_error for anything else, and for det M = 0.
+/// Returns a pose of three rows of four numbers. Throws covering::Input_error for anything else, and for det M = 0.
 kernel::Pose pose_of_rows(const Json_field& field);
 
-/// Reads a pose of twelve numbers, row after row. Throws as above.
+/// Returns a pose of twelve numbers, row after row. Throws as `pose_of_rows`.
 kernel::Pose pose_of_numbers(const Json_field& field);
 
 }  // namespace tetracone::verify

@@ -69,8 +69,8 @@ struct Touching {
                            ///< on the other. They share a point of it then.
 };
 
-/// Applies `turn`, then the translation that puts the lowest vertex of B along `normal` on `point`: B is on the upper
-/// side of the plane.
+/// Returns the map that applies `turn`, then the translation that puts the lowest vertex of B along `normal` on
+/// `point`: B is on the upper side of the plane.
 Pose resting(const covering::Polyhedron& b, const Pose& turn, const Exact_vector& point, const Exact_vector& normal);
 
 /// A vertex of B on an inner point of a hull triangle of A, at barycentric coordinates of `bits` bits.
@@ -102,7 +102,7 @@ Object_case placed(Random& random, const Body& a, const Body& b, const Pose& rel
 /// answers as far as they are known.
 Object_case placed(Random& random, const Touching& contact, const Rational& gap, Motion kind);
 Object_case placed(Random& random, const Touching& contact, const Rational& gap, const Pose& common);
-/// Under any exact motion, and with `any_gap`.
+/// Does so under any exact motion; without `gap`, by `any_gap`.
 Object_case placed(Random& random, const Touching& contact, const Rational& gap);
 Object_case placed(Random& random, const Touching& contact);
 

@@ -16,8 +16,8 @@ struct Probe_case {
   Origin origin;
 };
 
-/// The probe as two bodies, for case files. The point is a face of one vertex, and the ray is the line from it to its
-/// position at t = 1.
+/// Returns the probe as two bodies, for case files. The point is a face of one vertex, and the ray is the line from it
+/// to its position at t = 1.
 inline Object_case as_objects(const Probe_case& c)
 {
   covering::Polyhedron probe;

@@ -16,14 +16,14 @@
 /// Scene files, `*.scene.json`: many bodies over frames.
 namespace tetracone::verify {
 
-/// True when the file's name is that of a scene file.
+/// True when a path has the name of a scene file.
 bool is_scene_name(const std::filesystem::path& path);
 
 /// An open scene file. Its models and bodies are read at once, each frame on demand.
 class Scene_file {
  public:
-  /// Throws covering::Input_error, with the line, for anything not of the form:
-  /// - missing or unknown names, and wrong types;
+  /// Opens the file. Throws covering::Input_error, with the line, for:
+  /// - missing or unknown members, and wrong types;
   /// - bodies without a model;
   /// - numbers out of range;
   /// - a file of frames that is no whole number of frames.

@@ -100,10 +100,10 @@ Polyhedron round_torus_knot(std::size_t triangles);
 /// not exist. A caller without it reports that and names the script. Throws Input_error for a file that cannot be read.
 std::optional<Polyhedron> demo_mesh(const std::filesystem::path& folder, const std::string& name);
 
-/// Simplifies the mesh to exactly `faces` triangles by edge collapses in the order of Lindstrom and Turk's cost (CGAL's
-/// Surface_mesh_simplification). The result is deterministic, closed and of the same genus. It is a model of its own
-/// and may intersect itself. Throws std::invalid_argument when the mesh is not a closed manifold of at least `faces`
-/// triangles, or when `faces` is odd. It also throws it when no further edge can be collapsed.
+/// Returns the mesh simplified to exactly `faces` triangles by edge collapses in the order of Lindstrom and Turk's cost
+/// (CGAL's Surface_mesh_simplification). The result is deterministic, closed and of the same genus. It is a model of
+/// its own and may intersect itself. Throws std::invalid_argument when the mesh is not a closed manifold of at least
+/// `faces` triangles, or when `faces` is odd. It also throws it when no further edge can be collapsed.
 Polyhedron decimate(const Polyhedron& mesh, std::size_t faces);
 
 /// Returns the polyhedron moved and scaled, with rounding, so that `centroid` is about 0 and `radius` about 1.

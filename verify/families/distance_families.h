@@ -9,7 +9,7 @@
 namespace tetracone::verify {
 
 /// Returns the families of separate bodies with degenerate distances, on the object level only: many pairs of features
-/// are nearest, or two that differ slightly. Their numbers follow those of `families()`.
+/// are nearest, or two that differ slightly. They are numbered from 50, apart from `families()`.
 const std::vector<Family>& distance_families();
 
 }  // namespace tetracone::verify

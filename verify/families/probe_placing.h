@@ -100,7 +100,7 @@ inline Vertex next_to(Random& random, Vertex p, int ulps)
   return p;
 }
 
-/// A point in the body's box, grown by a tenth: of any doubles, or on a grid that divides each side into `parts`.
+/// A point of the grid that divides each side of the body's box into `parts`; for 0, any in the box grown by a tenth.
 inline Vertex anywhere(Random& random, const Probed_body& body, int parts)
 {
   Vertex p;

@@ -52,7 +52,7 @@ void for_elements(const Integer_body& body, const What& what)
   for (Index f = 0; f < body.face_count(); ++f) what(body.corners(f));
 }
 
-/// The boxes of a body's elements from one list of all.
+/// Returns the boxes of a body's elements, taken from one list of all.
 inline Element_boxes element_boxes_from(const Integer_body& body, std::vector<Rank_box>::const_iterator next)
 {
   const auto take = [&](std::size_t count) {

@@ -49,7 +49,7 @@ inline std::optional<Shared> shared(const Integer_vector& a, const Integer_vecto
   return Shared{fraction(low, end_u), fraction(high, end_u)};
 }
 
-/// An axis along which the plane with this normal projects to a plane: that of the largest component.
+/// Returns an axis along which the plane with this normal projects to a plane: that of the largest component.
 inline int projection_axis(const Integer_vector& n)
 {
   int axis = 0;

@@ -43,7 +43,7 @@ class Rounded_pair {
   /// True when two faces share a point: an edge of one meets the other.
   bool faces_meet(Index of_a, Index of_b) const;
 
-  /// True when a part of one body is in the solid of the other. Requires surfaces that share no point.
+  /// True when the question is `solid`, surfaces share no point, and a part of one body is in the other's solid.
   bool is_contained() const { return contained_; }
 
   bool collide() const { return contained_ || !pairs_.empty(); }

@@ -52,7 +52,7 @@ void shuffle(Sequence& sequence, Random& random)
   for (std::size_t k = sequence.size(); k > 1; --k) std::swap(sequence[k - 1], sequence[one_of(random, k)]);
 }
 
-/// Puts vertices, faces and the first corners of loops into any order.
+/// Returns the body with vertices, faces and the first corners of loops in any order.
 inline Changed_body reordered(const covering::Polyhedron& what, Random& random)
 {
   std::vector<covering::Index> place(what.vertices.size()), order(what.face_count());
@@ -74,7 +74,7 @@ inline Changed_body reordered(const covering::Polyhedron& what, Random& random)
   return result;
 }
 
-/// Reverses all loops.
+/// Returns the body with all loops reversed.
 inline Changed_body wound_backwards(const covering::Polyhedron& what)
 {
   Changed_body result;
@@ -87,8 +87,8 @@ inline Changed_body wound_backwards(const covering::Polyhedron& what)
   return result;
 }
 
-/// Splits each triangle into three at an inner point of doubles; closed if it was. Nothing if no triangle has such a
-/// point.
+/// Returns the body with triangles split into three at an inner point of doubles, closed if it was. Nothing if no
+/// triangle has such a point.
 inline std::optional<Changed_body> split_inside(const covering::Polyhedron& what)
 {
   Changed_body result;

@@ -13,7 +13,7 @@ enum class Verdict { holds, violated, not_applicable };
 
 inline Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::violated; }
 
-/// The relation holds(answer) of what a subject tells of a twin.
+/// Returns whether holds(answer) for a subject's answer to a twin; `not_applicable` where it has none.
 template <class Answer, class Holds>
 Verdict verdict(const Told<Answer>& told, const Holds& holds)
 {

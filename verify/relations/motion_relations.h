@@ -16,7 +16,7 @@ struct Motion_relation {
   Verdict (*check)(const kernel::Moving_pair& pair, Random& random);
 };
 
-/// reversed-time, permuted, translated, split.
+/// Returns the relations reversed-time, permuted, translated and split.
 std::span<const Motion_relation> motion_relations();
 
 }  // namespace tetracone::verify

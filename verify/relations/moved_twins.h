@@ -74,7 +74,7 @@ inline const kernel::Pose& affine_map()
   return map;
 }
 
-/// Returns the case under that map; nothing where an entry would be beyond the doubles.
+/// Returns the case under `affine_map`; nothing where an entry would be beyond the doubles.
 inline std::optional<Object_case> under_affine_map(const Object_case& c)
 {
   return with_poses(c, [](const kernel::Pose& pose) { return object_family::composed(affine_map(), pose); });

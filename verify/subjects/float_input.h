@@ -20,9 +20,9 @@ using Triangles = std::vector<std::array<covering::Index, 3>>;
 /// all. These triangles are what peers and programs are given.
 std::optional<Triangles> triangles_of(const covering::Polyhedron& polyhedron);
 
-/// Returns the case as such a subject holds it: triangles, with each of those numbers rounded to the nearest float. No
-/// answer of it is known by construction. Nothing where a number has no finite float, where a rounded pose has det M =
-/// 0, and where a body has no triangles. Requires a subject that holds some number as a float.
+/// Returns the case as a subject holds it: triangles, with the numbers that `in_floats` names rounded to the nearest
+/// float. No answer of it is known by construction. Nothing where a number has no finite float, where a rounded pose
+/// has det M = 0, and where a body has no triangles. Requires a subject that holds some number as a float.
 std::optional<Object_case> float_input(const Object_case& c, In_floats in_floats);
 
 }  // namespace tetracone::verify

@@ -111,22 +111,22 @@ struct Object_subject {
 std::vector<Object_subject> object_subjects();
 inline constexpr std::size_t most_faces = 800, most_faces_of_trees = 10000;
 
-/// Returns those that campaigns ask for features. They are each kernel as its users ask it, and the paper's tree and
-/// all pairs, in the adaptive kernel and in double. These two find features otherwise.
+/// Returns the subjects that campaigns ask for features. They are each kernel as its users ask it, and the paper's tree
+/// and all pairs, in the adaptive kernel and in double. These two find features otherwise.
 std::vector<Object_subject> feature_subjects();
 
-/// Returns those that campaigns ask for contacts. They are the fast tree of the exact kernels and, in the adaptive
-/// kernel, three more. These are the paper's tree, all pairs, and the fast tree whose leaves are whole faces.
+/// Returns the subjects that campaigns ask for contacts. They are the fast tree of the exact kernels and, in the
+/// adaptive kernel, three more. These are the paper's tree, all pairs, and the fast tree whose leaves are whole faces.
 std::vector<Object_subject> contact_subjects();
 
-/// Returns those that campaigns ask for distances. They are the fast tree of the adaptive kernel, also remembering and
-/// with whole faces as leaves, and that of the rational kernel. The rational one is asked about bodies of at most
-/// `most_faces_in_rationals` faces.
+/// Returns the subjects that campaigns ask for distances. They are the fast tree of the adaptive kernel, also
+/// remembering and with whole faces as leaves, and that of the rational kernel. The rational one is asked about bodies
+/// of at most `most_faces_in_rationals` faces.
 std::vector<Object_subject> distance_subjects();
 inline constexpr std::size_t most_faces_in_rationals = 24;
 
-/// Returns those that campaigns ask for the relations and exits of solids. They are the fast tree of the adaptive
-/// kernel, also remembering and with whole faces as leaves.
+/// Returns the subjects that campaigns ask for the relations and exits of solids. They are the fast tree of the
+/// adaptive kernel, also remembering and with whole faces as leaves.
 std::vector<Object_subject> solid_subjects();
 
 /// Returns a list of contacts in the form in which lists are compared.

@@ -57,8 +57,8 @@ bool moeller_trumbore(const Vector<Number>& p, const Vector<Number>& q, const Ve
 }
 
 /// Segura & Feito, Algorithms to test ray-triangle intersection: comparative study, WSCG 2001. It takes the signs of
-/// five tetrahedra. Those of [a b c p] and [a b c q] tell the sides of the plane. The inside of the triangle is told by
-/// those of [p q a b], [p q b c] and [p q c a]. Limits: it answers no when both ends are on the plane.
+/// five tetrahedra. [a b c p] and [a b c q] tell the sides of the plane. [p q a b], [p q b c] and [p q c a] tell
+/// whether the line meets the triangle. Limits: it answers no when both ends are on the plane.
 template <class Number>
 bool segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a, const Vector<Number>& b,
                   const Vector<Number>& c)

@@ -84,9 +84,10 @@ class Prepared_pair {
   virtual std::size_t node_count() const = 0;
 };
 
+/// Returns two polyhedra prepared for a subject.
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
                                        const covering::Polyhedron& b);
-/// Prepares bodies likewise, from the trees that they already have.
+/// Returns two bodies prepared for a subject, from the trees that they already have.
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const Body& a, const Body& b);
 
 }  // namespace tetracone::verify

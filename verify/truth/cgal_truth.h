@@ -29,7 +29,7 @@ bool elements_meet(const Placed_body& a, const Element& x, const Placed_body& b,
 /// plane through 0 in at most two of them. Therefore, after finitely many, a ray runs through no edge and in no plane
 /// of a triangle.
 int winding(const Placed_body& solid, const Placed_body& other, Index point);
-/// Same, for a point that is on no triangle of the surface.
+/// Does the same for a point that is on no triangle of the surface.
 int winding(const Placed_body& solid, const std::array<kernel::Rational, 3>& point);
 
 /// True when the surfaces share a point.
@@ -71,7 +71,7 @@ int inside(const Brute_body& body, const std::array<kernel::Rational, 3>& point)
 /// Returns all pairs (edge of one body, face of the other) that share a point, in both directions, sorted and unique.
 std::vector<Feature_pair> features(const Placed_body& a, const Placed_body& b);
 
-/// Places the bodies and lists them. Requires poses whose det M is not 0.
+/// Places the bodies, and returns these pairs. Requires poses whose det M is not 0.
 std::vector<Feature_pair> features(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const Pose& pose_b);
 
 }  // namespace tetracone::verify

@@ -4,8 +4,8 @@
 #include "verify/cases/case.h"
 #include "verify/cases/exact_map.h"
 
-/// Two formulations of how far A must be moved along a direction to leave B. There is one of how far it must be moved
-/// at least. All are in rationals.
+/// Two formulations tell how far A must move along a direction to leave B. `convex_squared_depth` tells the least
+/// translation. All are in rationals.
 namespace tetracone::verify {
 
 /// Returns the exits, by all events of all pairs. An event is a shift at which a vertex is on a triangle, or an edge on
@@ -14,8 +14,8 @@ namespace tetracone::verify {
 /// a direction that is not 0.
 Solid_exits exits_by_events(const Object_case& c, const object_family::Exact_vector& direction);
 
-/// Returns the exit of convex solids whose interiors share a point, else 0. It is the least that a normal of a face, or
-/// a product of two edges, says: these are the normals of the Minkowski difference. Requires convex solids.
+/// Returns the exit of convex solids whose interiors share a point, else 0. It is the least exit by a normal of the
+/// Minkowski difference: of a face, or a product of two edges. Requires convex solids.
 kernel::Rational convex_exit(const Object_case& c, const object_family::Exact_vector& direction);
 
 /// Returns the squared length of the least translation that parts convex solids: the least over the same normals; 0

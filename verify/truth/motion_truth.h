@@ -27,8 +27,7 @@ bool truly_meet_in_motion(const kernel::Moving_pair& pair, const Time_span& span
 using Time_polynomial = std::vector<kernel::Rational>;
 using Moving_coordinates = std::array<Time_polynomial, 3>;
 
-/// As above, for four points whose coordinates are such polynomials over one common polynomial without a root in [0,
-/// 1].
+/// Does the same for four points whose coordinates are such polynomials over a common one without a root in [0, 1].
 bool truly_meet_in_motion(kernel::Moving_kind kind, const std::array<Moving_coordinates, 4>& points,
                           const Time_span& span = {});
 

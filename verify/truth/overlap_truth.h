@@ -18,7 +18,7 @@ namespace tetracone::verify {
 /// Requires det M != 0 and planar faces. Throws std::invalid_argument when a body is not closed.
 Solid_overlap solid_overlap(const Object_case& c);
 
-/// Same, and stores the area that the surfaces share. A piece that lies on several triangles counts once.
+/// Does the same, and stores the area that the surfaces share. A piece that lies on several triangles counts once.
 Solid_overlap solid_overlap(const Object_case& c, Shared_area& shared);
 
 }  // namespace tetracone::verify

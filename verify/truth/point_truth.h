@@ -7,8 +7,8 @@
 
 namespace tetracone::verify {
 
-/// Tells whether points are inside one body, by all of its elements in rationals. A point is on the surface where an
-/// element holds it. For others the signed crossings of a ray tell. Not thread-safe.
+/// Decides whether points are inside one body, by all of its elements in rationals. A point is on the surface where an
+/// element holds it. The signed crossings of a ray decide other points. Not thread-safe.
 class Point_truth {
  public:
   /// Requires a closed polyhedron. Throws as `Brute_body`.

@@ -7,9 +7,9 @@
 
 namespace tetracone::verify {
 
-/// The first truth of a predicate: CGAL's objects and constructions over rationals. Each predicate is computed by its
-/// geometric definition and not by the signs that the subjects use. Nothing if `Predicate` states that the case is not
-/// asked.
+/// Returns the answer to a predicate: the first truth, by CGAL's objects and constructions over rationals. Each
+/// predicate is computed by its geometric definition and not by the signs that the subjects use. Nothing if `Predicate`
+/// states that the case is not asked.
 std::optional<int> true_answer(Predicate predicate, const Predicate_case& c);
 
 }  // namespace tetracone::verify

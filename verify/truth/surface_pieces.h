@@ -48,7 +48,7 @@ struct Surface_piece {
   std::array<std::array<int, 2>, 2> winding{};
 };
 
-/// Returns pieces whose union is that of all triangles of both surfaces.
+/// Returns pieces whose union is the union of all triangles of both surfaces.
 std::vector<Surface_piece> surface_pieces(const std::array<std::vector<Placed_element>, 2>& surfaces);
 
 /// True when the solids of both surfaces have a side of some piece in common: their interiors share a point.
@@ -60,7 +60,7 @@ struct Curve_piece {
   int body;  ///< whose element it is a part of: 0 or 1
 };
 
-/// Returns pieces whose union is that of all segments and points that are elements of their own.
+/// Returns pieces whose union is the union of all segments and points that are elements of their own.
 std::vector<Curve_piece> curve_pieces(const std::array<std::vector<Placed_element>, 2>& surfaces);
 
 }  // namespace tetracone::verify

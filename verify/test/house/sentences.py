@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""House rule: no sentence of a comment in the C++ sources has more than 25 words. Each that has is told with its file and line."""
+"""House rule: no sentence of a comment in the C++ sources, or of a document, has more than 25 words. Each that has is told with its file and line."""
 
 import pathlib
 import re
@@ -87,6 +87,20 @@ def long_sentences(path, text):
             if words_of(sentence) > MOST_WORDS]
 
 
+def long_sentences_of_document(path, text):
+    """Its paragraphs, items and cells of tables, without blocks of code, are judged as comments are."""
+    in_code, lines = False, []
+    for line in text.split("\n"):
+        in_code ^= line.startswith("```")
+        is_code = in_code or re.match(r"```|    |\||#|!", line)
+        lines.append("///" if is_code else "/// " + re.sub(r"\]\([^)]*\)", "]", line.replace("**", "")))
+    found = long_sentences(path, "\n".join(lines))
+    for number, line in enumerate(text.split("\n"), 1):
+        for cell in line.split("|") if line.startswith("|") else []:
+            found += [f"{path}:{number}: {flaw.split(': ', 1)[1]}" for flaw in long_sentences(path, "/// " + cell.strip())]
+    return found
+
+
 def sources(folder):
     return sorted(path for path in (SOURCE / folder).rglob("*") if path.suffix in (".h", ".inl", ".cpp"))
 
@@ -99,6 +113,12 @@ class Sentences(unittest.TestCase):
             self.assertTrue(found, folder)
             for path in found:
                 wrong += long_sentences(path.relative_to(SOURCE), path.read_text(encoding="utf-8"))
+        for path in [SOURCE / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")] + [
+                path for folder in FOLDERS for path in sorted((SOURCE / folder).rglob("*.md"))]:
+            text = path.read_text(encoding="utf-8")
+            if path.name == "CHANGELOG.md":  # what is released stays as it is
+                text = text[:text.index("## [0.")]
+            wrong += long_sentences_of_document(path.relative_to(SOURCE), text)
         self.assertFalse(wrong, "\n".join([""] + wrong))
 
     def count(self, text):
