@@ -38,6 +38,9 @@ Certificate& Certificate::operator=(Certificate&&) noexcept = default;
 
 void Certificate::name_file(std::size_t body, Certified_file file)
 {
+  if (body >= data_->parts.size())
+    throw Error("certificate: body " + std::to_string(body) + "; expected one below " +
+                std::to_string(data_->parts.size()));
   data_->parts[body].source_face = file.source_face;
   data_->parts[body].file = std::move(file);
 }
@@ -173,7 +176,7 @@ void Certificate::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   std::string text = data_->begin("within", pose_a, pose_b, question) + (answer ? '1' : '0');
   add_key(text, "limit");
   text += json_text(limit);
-  const Rational exact_limit = kernel::parse_number(limit).value();
+  const Rational exact_limit = Data::parsed(limit);
   if (answer)
     data_->together(text, pose_a, pose_b, nearest);
   else if (sgn(exact_limit) >= 0)

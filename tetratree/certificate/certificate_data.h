@@ -44,6 +44,13 @@ struct Certificate::Data {
   std::vector<std::string> answers;
   std::size_t without_proof = 0;
 
+  /// Returns the number of a text. Throws Error for a text that is none.
+  static kernel::Rational parsed(const std::string& text)
+  {
+    if (const auto number = kernel::parse_number(text)) return *number;
+    throw Error("certificate: '" + text.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
+  }
+
   /// Returns the trees of both bodies. Throws Error for a certificate of one body.
   std::array<tetratree::Group_tree*, 2> groups()
   {

@@ -65,7 +65,7 @@ void Certificate::inside(const std::array<std::string, 3>& point, Location answe
   add_key(text, "answer");
   text += std::to_string(int(answer));
   Rational_point x;
-  for (std::size_t k = 0; k < 3; ++k) x[k] = kernel::parse_number(point[k]).value();
+  for (std::size_t k = 0; k < 3; ++k) x[k] = Data::parsed(point[k]);
   const Rational weight(tetratree::common_denominator(x));
   Covered_body body = tetratree::placed(part.tree(), kernel::Pose(), kernel::Pose(), tetratree::exact(weight));
   const Exact_vector at = tetratree::exact(x, weight);

@@ -102,7 +102,7 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   add_key(text, "direction");
   tetratree::add_list(text, direction, [](const std::string& x) { return tetratree::json_text(x); });
   Rational_point along;
-  for (std::size_t k = 0; k < 3; ++k) along[k] = kernel::parse_number(direction[k]).value();
+  for (std::size_t k = 0; k < 3; ++k) along[k] = Data::parsed(direction[k]);
   const auto shifted = [&](const Rational& s) {
     return moved({pose_a, pose_b}, {s * along[0], s * along[1], s * along[2]});
   };

@@ -65,7 +65,7 @@ Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, te
 
 std::vector<Answer> Query::collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b)
 {
-  const std::size_t n = poses_a.size() > 1 ? poses_a.size() : poses_b.size();
+  const std::size_t n = poses_a.size() == 1 ? poses_b.size() : poses_a.size();
   if ((poses_a.size() != n && poses_a.size() != 1) || (poses_b.size() != n && poses_b.size() != 1))
     throw Error("query: " + std::to_string(poses_a.size()) + " poses of a and " + std::to_string(poses_b.size()) +
                 " of b; expected as many, or one of either");

@@ -1,8 +1,8 @@
 #include "tetracone/tetratree/python/contacts.h"
 
 #include "tetracone/tetratree/door/tetracone.h"
+#include "tetracone/tetratree/python/texts.h"
 
-#include <gmpxx.h>
 #include <pybind11/numpy.h>
 
 #include <algorithm>
@@ -101,15 +101,7 @@ py::array normals(const Contacts& contacts)
 
 py::list exact_loops(const Contacts& contacts, std::ptrdiff_t k)
 {
-  const py::object make = py::module_::import("fractions").attr("Fraction");
-  // Base 16, since Python reads any number of its digits.
-  const auto integer = [](const mpz_class& x) {
-    return py::reinterpret_steal<py::object>(PyLong_FromString(x.get_str(16).c_str(), nullptr, 16));
-  };
-  const auto fraction = [&](const std::string& text) {
-    const mpq_class x(text);
-    return make(integer(x.get_num()), integer(x.get_den()));
-  };
+  const Python_fraction fraction;
   py::list loops;
   for (const auto& loop : contacts.exact_loops(piece_number(contacts, k))) {
     py::list points;

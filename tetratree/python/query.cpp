@@ -475,7 +475,7 @@ py::array_t<double> doubles(std::span<const Found> found, const Values_of& value
 template <class Found, class Text_of>
 py::list fractions(std::span<const Found> found, const Text_of& text_of)
 {
-  const auto fraction = py::module_::import("fractions").attr("Fraction");
+  const Python_fraction fraction;
   py::list list;
   for (const Found& each : found) {
     const auto text = text_of(each);

@@ -11,6 +11,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -47,8 +48,9 @@ class Locked_scene {
   std::size_t add(const std::shared_ptr<Python_body>& body)
   {
     return alone([&](Scene& scene) {
+      const std::size_t number = scene.add_body(model_of(scene, body));
       ++count_;
-      return scene.add_body(model_of(scene, body));
+      return number;
     });
   }
   void remove(std::size_t number)
@@ -75,8 +77,8 @@ class Locked_scene {
 
   Scene scene_;
   std::map<std::shared_ptr<Python_body>, std::size_t> models_;
-  std::size_t count_ = 0;
-  std::mutex lock_;  // never waited for with the interpreter's lock
+  std::atomic<std::size_t> count_ = 0;  // read without the lock
+  std::mutex lock_;                     // never waited for with the interpreter's lock
 };
 
 std::shared_ptr<Locked_scene> made_scene(const Bodies& bodies, const py::str& of_question, const py::str& of_kernel,

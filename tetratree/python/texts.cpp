@@ -32,6 +32,16 @@ std::string digits_of(const py::handle& integer)
   return mpz_class(digits, 16).get_str();
 }
 
+py::object Python_fraction::operator()(const std::string& text) const
+{
+  const kernel::Rational x(text);
+  // The digits are hexadecimal, since Python reads any number of these.
+  const auto integer = [](const mpz_class& n) {
+    return py::reinterpret_steal<py::object>(PyLong_FromString(n.get_str(16).c_str(), nullptr, 16));
+  };
+  return make_(integer(x.get_num()), integer(x.get_den()));
+}
+
 std::string exact_text(const py::handle& value)
 {
   if (py::isinstance<py::str>(value)) return text_of(value);

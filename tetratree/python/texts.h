@@ -20,6 +20,15 @@ std::string type_of(const pybind11::handle& value);
 /// Returns the decimal digits of an integer of any length. Throws Python's error for anything else.
 std::string digits_of(const pybind11::handle& integer);
 
+/// Makes Python's fractions.Fraction of texts "n/d" and "n", which may have any number of digits.
+class Python_fraction {
+ public:
+  pybind11::object operator()(const std::string& text) const;
+
+ private:
+  pybind11::object make_ = pybind11::module_::import("fractions").attr("Fraction");
+};
+
 /// Returns the text that the door reads as exactly this number. It is a text itself, the shortest decimal of a float,
 /// and else "n/d". The denominator 1 is written too, since a decimal would be rounded. For a value that is no number it
 /// is "a TYPE", for messages.

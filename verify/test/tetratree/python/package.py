@@ -222,6 +222,8 @@ class Answers(Case):
         self.assertEqual(exits["last"].tolist(), [1.5, 1, 0])
         self.assertEqual(query.exits(("3/2", 0, Fraction(1, 7)), poses[0])["exact_last"], 1)
         self.assertEqual(query.exits([-3.0, 0, 0], None, poses_a=poses[0])["exact_first"], Fraction(1, 2))
+        tiny = Fraction(1, 10 ** 4400)  # Python refuses to read so many decimal digits
+        self.assertEqual(query.exits([1, 0, 0], [[1, 0, 0, tiny], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_last"], 1 + tiny)
         self.error("exits: the direction is 0; expected a vector of some length", query.exits, [0, 0, 0], IDENTITY)
         self.error("exits: a direction of 2 numbers; expected 3", query.exits, [1, 0], IDENTITY)
         self.error("exits: 'nan' in the direction; expected a finite decimal number or a fraction n/d",
