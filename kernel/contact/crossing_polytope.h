@@ -45,7 +45,7 @@ class Crossing_polytope {
                     const Exactly& exactly)
   {
     if (!are_bounded) {
-      half_spaces_.push_back({{0, 0, 0}, -HUGE_VAL, HUGE_VAL});
+      half_spaces_.push_back({{0, 0, 0}, -HUGE_VAL, HUGE_VAL, {}, 1});
       return;
     }
     const Corner_errors errors(a.errors, b.errors);
@@ -95,6 +95,17 @@ class Crossing_polytope {
     return true;
   }
 
+  /// Calls what(normal, limit, axis, sign) for each half-space whose plane may cut the box. Its numbers are rounded; the
+  /// axis and its sign tell the exact ones.
+  template <class What>
+  void for_planes(const Translation_box& box, const What& what) const
+  {
+    for (const Half_space& h : half_spaces_)
+      if (const double middle = h.middle(box), reach = h.reach(box);
+          middle - reach <= h.outer && middle + reach >= h.inner && std::isfinite(h.outer))
+        what(h.normal, h.outer, h.axis, h.sign);
+  }
+
   /// True when the polytope may have a translation of the box.
   bool may_meet(const Translation_box& box) const
   {
@@ -107,6 +118,8 @@ class Crossing_polytope {
   struct Half_space {
     std::array<double, 3> normal;
     double inner, outer;
+    Shift_axis axis;
+    int sign;
 
     double middle(const Translation_box& box) const
     {
@@ -122,7 +135,7 @@ class Crossing_polytope {
   void add(const Shift_axis& axis, int sign, const Number_point<Interval>& n, const Interval& limit, double radius,
            double most, const Exactly& exactly)
   {
-    Half_space h;
+    Half_space h{{}, 0, 0, axis, sign};
     // Upper bound of the error of a product with the rounded normal, for all translations that are asked for.
     Interval off = 0, magnitude = 0, square = 0;
     for (std::size_t k = 0; k < 3; ++k) {

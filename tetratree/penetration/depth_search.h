@@ -13,9 +13,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -42,7 +44,8 @@ struct Depth_limits {
 /// not in P, the shortest of which is the upper bound. The lower bound comes from boxes of translations, nearest to 0
 /// first. A box is done where all of its translations that are shorter than the upper bound are in P:
 ///
-/// - A ball inside A meets a ball inside B for all translations of the box (`Translation_balls`).
+/// - A ball inside A meets a ball inside B for all translations of the box. One of them is about a point of the other
+///   body (`Inner_balls`).
 /// - Two pieces, as of `Seen_solid`, cross for all translations inside their `Crossing_polytope`; so these are in P.
 /// - Where no two pieces meet for any translation of the box, the surfaces do not meet. So all of its translations are
 ///   in P, or none is; the relation at the centre tells.
@@ -52,9 +55,8 @@ struct Depth_limits {
 /// half-spaces are compared exactly with the ball of all shorter translations.
 class Depth_search {
  public:
-  /// `inner` has balls inside each body, in its own coordinates; without any the search takes longer.
-  Depth_search(Seen_solid a, Seen_solid b, std::array<std::vector<Ball>, 2> inner)
-      : solid_{std::move(a), std::move(b)}, inner_(std::move(inner))
+  Depth_search(Seen_solid a, Seen_solid b, Inner_balls in_a, Inner_balls in_b)
+      : solid_{std::move(a), std::move(b)}, inner_{std::move(in_a), std::move(in_b)}
   {}
 
   /// What an exit along a direction tells.
@@ -73,6 +75,7 @@ class Depth_search {
     solid_[1].see(map_b);
     found_ = {{0, 0, 0}, -1, 0, false};
     tried_.clear();
+    corners_.clear();
     for (int k = 0; k < 3; ++k)
       for (const int sign : {1, -1}) {
         kernel::Rational_point axis = {0, 0, 0};
@@ -80,7 +83,9 @@ class Depth_search {
         leave(axis, exit);
       }
     boxes_left_ = limits.most_boxes;
-    search(seen_balls(inner_[0], map_a), seen_balls(inner_[1], map_b), exit, meet, limits);
+    inner_[0].see(map_a);
+    inner_[1].see(map_b);
+    search(exit, meet, limits);
     found_.least = kernel::minimum(found_.least, kernel::nearest_root(found_.square));
     return found_;
   }
@@ -93,6 +98,7 @@ class Depth_search {
   struct Near {
     std::vector<Box_ids> pairs;
     std::vector<std::uint32_t> polytopes;
+    std::vector<std::pair<bool, Ball>> balls;  // inside A, or inside B: true
   };
 
   struct Open_box {
@@ -118,6 +124,15 @@ class Depth_search {
       return kernel::detail::direction(axis, search->solid_[0].exactly(*a), search->solid_[1].exactly(*b));
     }
     bool is_zero(const kernel::Shift_axis& axis) const { return kernel::is_zero(direction(axis)); }
+
+    /// Returns the plane n . v = limit of a half-space n . v < limit.
+    std::pair<kernel::Rational_point, kernel::Rational> plane(const kernel::Shift_axis& axis, int sign) const
+    {
+      const kernel::detail::Allowed<kernel::Rational> allowed(axis, search->solid_[0].exactly(*a),
+                                                              search->solid_[1].exactly(*b));
+      const auto n = direction(axis);
+      return {{n[0], n[1], n[2]}, sign > 0 ? allowed.high : allowed.low};
+    }
 
     /// True when the plane of a half-space n . v < limit does not cut the open ball of all shorter translations.
     bool is_outside_ball(const kernel::Shift_axis& axis, int sign) const
@@ -167,17 +182,17 @@ class Depth_search {
 
   /// Searches the ball of all translations that are shorter than the known one.
   template <class Leave, class Meet>
-  void search(const std::vector<Ball>& in_a, const std::vector<Ball>& in_b, const Leave& exit, const Meet& meet,
-              const Depth_limits& limits)
+  void search(const Leave& exit, const Meet& meet, const Depth_limits& limits)
   {
     double radius = set_radius();
     if (!(radius >= 0x1p-200 && radius <= 0x1p200)) return;  // beyond what the boxes' numbers can bound
     most_ = std::ldexp(1.0, std::ilogb(radius) + 1);
     polytopes_.clear();
     by_leaves_.clear();
-    balls_ = Translation_balls(in_a, in_b, most_);
     auto all = std::make_shared<Near>();
     all->pairs = {{Box_id(), Box_id()}};
+    for (const bool of_b : {false, true})
+      for (const Ball& ball : inner_[of_b].seen()) all->balls.push_back({of_b, ball});
     std::vector<Open_box> open = {{0, 0, {{0, 0, 0}, {most_, most_, most_}}, std::move(all)}};
     const auto is_later = [](const Open_box& x, const Open_box& y) { return x.least > y.least; };
     while (!open.empty()) {
@@ -192,6 +207,9 @@ class Depth_search {
       if (next.halvings % halvings_a_question == 0 && next.least > 0) {
         const kernel::Rational_point v = centre(next.box);
         if (kernel::dot(v, v) < found_.square && !meet(v) && leave(v, exit)) radius = set_radius();
+        if (next.halvings >= least_halvings && next.halvings % halvings_a_corner == 0 &&
+            leave_by_corners(next.box, *near, exit, meet))
+          radius = set_radius();
       }
       const auto axis = std::size_t(std::ranges::max_element(next.box.half) - next.box.half.begin());
       for (const int side : {-1, 1}) {
@@ -213,7 +231,6 @@ class Depth_search {
   template <class Meet>
   bool is_done(const Open_box& open, Near& near, const Meet& meet)
   {
-    if (balls_.hold(open.box)) return true;
     const auto is_held = [&](std::uint32_t k) {
       Polytope& polytope = renewed(k);
       if (polytope.is_beyond() || !polytope.is_near(open.box)) return false;
@@ -223,6 +240,13 @@ class Depth_search {
     };
     for (const std::uint32_t k : open.near->polytopes)
       if (is_held(k)) return true;
+    const double half_diagonal = std::hypot(open.box.half[0], open.box.half[1], open.box.half[2]);
+    for (const auto& [of_b, ball] : open.near->balls) {
+      double about = 0;
+      const double sum = radius_sum(of_b, ball, open.box.centre, about);
+      if (about > 0 && sum * (1 - kernel::few_roundings) > half_diagonal) return true;
+      if (sum + half_diagonal > 0) near.balls.push_back({of_b, ball});
+    }
     const double size = pairs_a_box * 2 * (open.box.half[0] + open.box.half[1] + open.box.half[2]);
     pairs_ = open.near->pairs;
     while (!pairs_.empty()) {
@@ -250,7 +274,114 @@ class Depth_search {
         pairs_.back()[opens_b] = {node, lane};
       }
     }
-    return near.pairs.empty() && near.polytopes.empty() && meet(centre(open.box));
+    if (!near.pairs.empty() || !near.polytopes.empty()) return false;
+    // Pairs that meet outside the ball of shorter translations are not known.
+    const kernel::Rational_point nearest = nearest_to_0(open.box);
+    return kernel::dot(nearest, nearest) >= found_.square || meet(nearest);
+  }
+
+  /// Returns the radii together: of a ball inside a body, and `about`, that of the largest ball about its centre inside
+  /// the other. A is translated. It is a lower bound where `about` is above 0, else an estimate.
+  double radius_sum(bool of_b, const Ball& ball, const std::array<double, 3>& translation, double& about)
+  {
+    std::array<double, 3> at = ball.centre;
+    double magnitude = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] += of_b ? -translation[k] : translation[k];
+      magnitude += std::abs(ball.centre[k]) + std::abs(translation[k]);
+    }
+    about = inner_[!of_b].radius_about(at);
+    return ball.radius + about - magnitude * kernel::few_roundings;
+  }
+
+  /// A plane at which a polytope ends.
+  struct Plane {
+    std::array<double, 3> normal;
+    double limit;
+    Exactly exactly;
+    kernel::Shift_axis axis;
+    int sign;
+  };
+
+  /// Returns the point of up to three planes that is nearest to 0; nothing where they are parallel.
+  template <class N>
+  static std::optional<std::array<N, 3>> nearest_to_0(std::span<const std::pair<std::array<N, 3>, N>> planes)
+  {
+    using kernel::cross, kernel::dot;
+    const auto sum = [](const std::array<std::pair<std::array<N, 3>, N>, 3>& terms,
+                        const N& divisor) -> std::optional<std::array<N, 3>> {
+      if (divisor == 0) return std::nullopt;
+      std::array<N, 3> v;
+      for (std::size_t k = 0; k < 3; ++k)
+        v[k] = N(terms[0].first[k] * terms[0].second + terms[1].first[k] * terms[1].second +
+                 terms[2].first[k] * terms[2].second) /
+               divisor;
+      return v;
+    };
+    const auto& [n, limit] = planes[0];
+    const std::pair<std::array<N, 3>, N> none{{0, 0, 0}, 0};
+    if (planes.size() == 1) return sum({planes[0], none, none}, N(dot(n, n)));
+    const std::array<N, 3> line = planes.size() == 2 ? cross(n, planes[1].first) : planes[2].first;
+    const std::array<N, 3> along = cross(n, planes[1].first);
+    const N third = planes.size() == 2 ? N(0) : planes[2].second;
+    return sum({{{cross(planes[1].first, line), limit}, {cross(line, n), planes[1].second}, {along, third}}},
+               N(dot(along, line)));
+  }
+
+  /// Asks for exits to the corners, edges and faces of polytopes in a box that are nearest to 0. True when a shorter
+  /// translation than all before was found.
+  template <class Leave, class Meet>
+  bool leave_by_corners(const Box& box, const Near& near, const Leave& exit, const Meet& meet)
+  {
+    std::vector<Plane> planes;
+    for (const std::uint32_t k : near.polytopes) {
+      const Kept_polytope& kept = polytopes_[k];
+      kept.polytope.for_planes(
+          box, [&](std::array<double, 3> n, double limit, const kernel::Shift_axis& axis, int sign) {
+            const double length = std::hypot(n[0], n[1], n[2]) * (n[0] < 0 || (n[0] == 0 && n[1] < 0) ? -1 : 1);
+            for (double& x : n) x /= length;
+            limit /= length;
+            const bool is_new = planes.size() < most_planes && std::ranges::none_of(planes, [&](const Plane& other) {
+                                  double off = std::abs(limit - other.limit) / radius_;
+                                  for (std::size_t i = 0; i < 3; ++i) off += std::abs(n[i] - other.normal[i]);
+                                  return off < same_plane;
+                                });
+            if (is_new) planes.push_back({n, limit, Exactly{this, kept.a, kept.b}, axis, sign});
+          });
+    }
+    bool is_shorter = false;
+    const auto try_planes = [&](std::initializer_list<const Plane*> chosen) {
+      std::vector<std::pair<std::array<double, 3>, double>> about;
+      for (const Plane* plane : chosen) about.emplace_back(plane->normal, plane->limit);
+      const auto v = nearest_to_0<double>(about);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!v || !(std::abs((*v)[k] - box.centre[k]) <= 2 * box.half[k])) return;
+      std::vector<std::pair<kernel::Rational_point, kernel::Rational>> exact;
+      for (const Plane* plane : chosen) exact.push_back(plane->exactly.plane(plane->axis, plane->sign));
+      const auto corner = nearest_to_0<kernel::Rational>(exact);
+      if (!corner || !corners_.insert(*corner).second) return;
+      if (kernel::dot(*corner, *corner) < found_.square && !meet(*corner))
+        is_shorter = leave(*corner, exit) || is_shorter;
+    };
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      try_planes({&planes[i]});
+      for (std::size_t j = 0; j < i; ++j) {
+        try_planes({&planes[i], &planes[j]});
+        for (std::size_t k = 0; k < j; ++k) try_planes({&planes[i], &planes[j], &planes[k]});
+      }
+    }
+    return is_shorter;
+  }
+
+  /// Returns the shortest translation of the box. Its ends are doubles.
+  static kernel::Rational_point nearest_to_0(const Box& box)
+  {
+    kernel::Rational_point v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double low = box.centre[k] - box.half[k], high = box.centre[k] + box.half[k];
+      v[k] = kernel::Rational(low > 0 ? low : high < 0 ? high : 0.0);
+    }
+    return v;
   }
 
   static kernel::Rational_point centre(const Box& box)
@@ -303,6 +434,11 @@ class Depth_search {
 
   /// Halvings of a box between two questions whether its centre is in P.
   static constexpr unsigned halvings_a_question = 3;
+  /// Halvings of a box before corners in it are tried, and between two tries; at most `most_planes` planes take part.
+  static constexpr unsigned least_halvings = 18, halvings_a_corner = 9;
+  static constexpr std::size_t most_planes = 8;
+  /// Planes nearer than this, as a share, are taken for one when corners are sought.
+  static constexpr double same_plane = 0x1p-30;
   /// A pair of boxes is opened while their size together is at least this multiple of the box of translations. The
   /// polytopes of smaller ones cannot hold it.
   static constexpr double pairs_a_box = 2;
@@ -310,11 +446,11 @@ class Depth_search {
   static constexpr std::size_t most_polytopes = 300000;
 
   std::array<Seen_solid, 2> solid_;
-  std::array<std::vector<Ball>, 2> inner_;
-  Translation_balls balls_;
+  std::array<Inner_balls, 2> inner_;
   std::vector<Kept_polytope> polytopes_;
   std::unordered_map<std::uint64_t, std::pair<std::uint32_t, std::uint32_t>> by_leaves_;  // numbers of polytopes
   std::vector<Box_ids> pairs_;                                                            // to be opened
+  std::set<kernel::Rational_point> corners_;                                              // that were tried
   std::set<kernel::Rational_point> tried_;                                                // directions
   double radius_ = 0, most_ = 0;
   unsigned round_ = 0;

@@ -1,7 +1,6 @@
 #ifndef TETRACONE_TETRATREE_PENETRATION_INNER_BALLS_H
 #define TETRACONE_TETRATREE_PENETRATION_INNER_BALLS_H
 
-#include "tetracone/kernel/contact/crossing_polytope.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/number/number.h"
@@ -15,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,110 +44,126 @@ inline std::vector<Ball> largest_balls(std::vector<Ball> balls, std::size_t most
   return kept;
 }
 
-/// Returns balls whose points are all inside the solid, in its own coordinates. Their centres are points of a grid. A
-/// radius is less than the distance from the centre to the surface.
-inline std::vector<Ball> inner_balls(const Bvh8& tree, const Point_locator& locator)
-{
-  constexpr int grid = 16;  // points along the longest side of the solid's box
-  std::array<double, 3> low, high;
-  low.fill(HUGE_VAL);
-  high.fill(-HUGE_VAL);
-  for (const covering::Vertex& v : tree.model().vertices())
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = kernel::minimum(low[k], v[k]);
-      high[k] = kernel::maximum(high[k], v[k]);
-    }
-  const double size = kernel::maximum(high[0] - low[0], high[1] - low[1], high[2] - low[2]), step = size / grid;
-  if (!(size >= 0x1p-200 && size <= 0x1p200)) return {};
-  std::vector<Ball> balls;
-  Bvh8_points points(tree);
-  for (double x = low[0] + step / 2; x < high[0]; x += step)
-    for (double y = low[1] + step / 2; y < high[1]; y += step)
-      for (double z = low[2] + step / 2; z < high[2]; z += step) {
-        const covering::Vertex centre = {x, y, z};
-        if (locator.locate(centre) != Location::inside) continue;
-        if (const std::optional<Surface_point> nearest = points.by_enclosures(centre))
-          balls.push_back({{x, y, z}, nearest->distance * (1 - kernel::few_roundings)});
-      }
-  return largest_balls(std::move(balls), 64, 0.02);
-}
-
-/// Returns balls inside the solid in the coordinates of a view: a row-major 3x4 matrix M from the body's coordinates.
+/// Balls inside a solid about any point, and some that stand for the solid, in the coordinates of a view.
 ///
-/// M makes a vector of length r at least r s long, where s^2 is the least eigenvalue of M^T M. By Gershgorin's theorem
-/// that is no less than a diagonal entry, less the magnitudes of the others of its row. A centre's error shortens the
-/// radius.
-inline std::vector<Ball> seen_balls(const std::vector<Ball>& balls, const std::array<kernel::Rational, 12>& map)
-{
-  const CGAL::Protect_FPU_rounding<true> upward;
-  std::array<kernel::Interval, 12> m;
-  for (std::size_t k = 0; k < 12; ++k) m[k] = CGAL::to_interval(map[k]);
-  kernel::Interval least = HUGE_VAL;
-  for (std::size_t i = 0; i < 3; ++i) {
-    kernel::Interval row = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const kernel::Interval product = m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
-      row += i == j ? product : -CGAL::abs(product);
-    }
-    least = (CGAL::min)(least, row);
-  }
-  std::vector<Ball> seen;
-  if (!(least.inf() >= 0x1p-400 && least.sup() <= 0x1p400)) return seen;
-  const kernel::Interval scale = CGAL::sqrt(least);
-  for (const Ball& ball : balls) {
-    Ball image;
-    kernel::Interval radius = scale * ball.radius;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const kernel::Interval x =
-          m[4 * k] * ball.centre[0] + m[4 * k + 1] * ball.centre[1] + m[4 * k + 2] * ball.centre[2] + m[4 * k + 3];
-      image.centre[k] = x.inf() / 2 + x.sup() / 2;
-      radius -= (CGAL::max)(kernel::Interval(x.sup()) - image.centre[k], image.centre[k] - kernel::Interval(x.inf()));
-    }
-    image.radius = radius.inf();
-    if (image.radius >= 0x1p-200 && image.radius <= 0x1p200) seen.push_back(image);
-  }
-  return seen;
-}
-
-/// The translations of A for which a ball inside it meets a ball inside B. They are balls, too.
-class Translation_balls {
+/// A ball about an inner point has the distance to the surface as its radius, which `Bvh8_points` tells. A view M makes
+/// a vector of length r at least r s long, where s^2 is the least eigenvalue of M^T M. By Gershgorin's theorem that is
+/// no less than a diagonal entry, less the magnitudes of the others of its row. A centre's error shortens the radius.
+/// One object serves one thread.
+class Inner_balls {
  public:
-  Translation_balls() = default;
-  /// Balls inside the bodies, in one view. Translations that are asked for have coordinates of at most `most`.
-  Translation_balls(const std::vector<Ball>& in_a, const std::vector<Ball>& in_b, double most)
+  /// Requires a closed surface. All must outlive this object.
+  Inner_balls(const Bvh8& tree, const Point_locator& locator) : locator_(&locator), points_(tree)
   {
-    std::vector<Ball> all;
-    for (const Ball& a : in_a)
-      for (const Ball& b : in_b) {
-        Ball ball;
-        double magnitude = most;
-        for (std::size_t k = 0; k < 3; ++k) {
-          ball.centre[k] = b.centre[k] - a.centre[k];
-          magnitude += std::abs(a.centre[k]) + std::abs(b.centre[k]);
-        }
-        ball.radius = (a.radius + b.radius) * (1 - kernel::few_roundings) - magnitude * kernel::few_roundings;
-        double square = 0;
-        for (const double x : ball.centre) square += x * x;
-        if (ball.radius >= 0x1p-200 && std::sqrt(square) - ball.radius < 2 * most) all.push_back(ball);
+    std::array<double, 3> low, high;
+    low.fill(HUGE_VAL);
+    high.fill(-HUGE_VAL);
+    for (const covering::Vertex& v : tree.model().vertices())
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = kernel::minimum(low[k], v[k]);
+        high[k] = kernel::maximum(high[k], v[k]);
       }
-    balls_ = largest_balls(std::move(all), 1000, 0.01);
+    const double size = kernel::maximum(high[0] - low[0], high[1] - low[1], high[2] - low[2]), step = size / grid;
+    if (!(size >= 0x1p-200 && size <= 0x1p200)) return;
+    std::vector<Ball> balls;
+    for (double x = low[0] + step / 2; x < high[0]; x += step)
+      for (double y = low[1] + step / 2; y < high[1]; y += step)
+        for (double z = low[2] + step / 2; z < high[2]; z += step)
+          if (const double radius = signed_distance({x, y, z}); radius > 0) balls.push_back({{x, y, z}, radius});
+    own_ = largest_balls(std::move(balls), most_balls, least_share);
   }
 
-  /// True when one of the balls surely has all translations of the box.
-  bool hold(const kernel::Translation_box& box) const
+  /// Sets the view: a row-major 3x4 matrix from the body's coordinates.
+  void see(const std::array<kernel::Rational, 12>& map)
   {
-    return std::ranges::any_of(balls_, [&](const Ball& ball) {
-      double square = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double x = std::abs(box.centre[k] - ball.centre[k]) + box.half[k];
-        square += x * x;
+    const CGAL::Protect_FPU_rounding<true> upward;
+    std::array<kernel::Interval, 12> m;
+    for (std::size_t k = 0; k < 12; ++k) m[k] = CGAL::to_interval(map[k]);
+    kernel::Interval least = HUGE_VAL;
+    for (std::size_t i = 0; i < 3; ++i) {
+      kernel::Interval row = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const kernel::Interval product = m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
+        row += i == j ? product : -CGAL::abs(product);
       }
-      return square < ball.radius * ball.radius * (1 - kernel::few_roundings);
-    });
+      least = (CGAL::min)(least, row);
+    }
+    seen_.clear();
+    scale_ = 0;
+    if (!(least.inf() >= 0x1p-400 && least.sup() <= 0x1p400)) return;
+    scale_ = CGAL::sqrt(least).inf();
+    find_inverse(map);
+    for (const Ball& ball : own_) {
+      Ball image;
+      kernel::Interval radius = kernel::Interval(scale_) * ball.radius;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const kernel::Interval x =
+            m[4 * k] * ball.centre[0] + m[4 * k + 1] * ball.centre[1] + m[4 * k + 2] * ball.centre[2] + m[4 * k + 3];
+        image.centre[k] = x.inf() / 2 + x.sup() / 2;
+        radius -= (CGAL::max)(kernel::Interval(x.sup()) - image.centre[k], image.centre[k] - kernel::Interval(x.inf()));
+      }
+      image.radius = radius.inf();
+      if (image.radius >= 0x1p-200 && image.radius <= 0x1p200) seen_.push_back(image);
+    }
+  }
+
+  /// Returns the balls that stand for the solid. There is none where the view has no bound.
+  const std::vector<Ball>& seen() const { return seen_; }
+
+  /// Returns a lower bound of the radius of the largest ball about a point that is inside the solid. It is not above 0
+  /// where the point is not inside, or nothing is known. Then it is minus an estimate of the distance to the surface.
+  double radius_about(const std::array<double, 3>& point)
+  {
+    covering::Vertex own;
+    double error = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      double magnitude = 0;
+      own[i] = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        own[i] += inverse_[3 * i + j] * (point[j] - shift_[j]);
+        magnitude += std::abs(inverse_[3 * i + j]) * (std::abs(point[j]) + std::abs(shift_[j]));
+      }
+      error += magnitude * kernel::few_roundings;
+      if (!(magnitude <= 0x1p200)) return 0;
+    }
+    return scale_ * (signed_distance(own) - error) * (1 - kernel::few_roundings);
   }
 
  private:
-  std::vector<Ball> balls_;
+  /// Returns a lower bound of the distance to the surface, with the other sign for a point that is not inside.
+  double signed_distance(const covering::Vertex& x)
+  {
+    const double distance = points_.lower_bound(x) * (1 - kernel::few_roundings);
+    return locator_->locate(x) == covering::Location::inside ? distance : -distance;
+  }
+
+  /// Rounds the view's inverse. Each entry has an error of one rounding.
+  void find_inverse(const std::array<kernel::Rational, 12>& map)
+  {
+    const auto at = [&map](std::size_t i, std::size_t j) -> const kernel::Rational& { return map[4 * i + j]; };
+    const kernel::Rational determinant = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
+                                         at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
+                                         at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+    for (std::size_t i = 0; i < 3; ++i) {
+      shift_[i] = kernel::nearest_double(at(i, 3));
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::size_t a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+        inverse_[3 * i + j] =
+            kernel::nearest_double(kernel::Rational((at(a, c) * at(b, d) - at(a, d) * at(b, c)) / determinant));
+      }
+    }
+  }
+
+  static constexpr int grid = 16;  // points along the longest side of the solid's box
+  static constexpr std::size_t most_balls = 64;
+  static constexpr double least_share = 0.125;  // of a ball's radius, by which others stick out
+
+  const Point_locator* locator_;
+  Bvh8_points points_;
+  std::vector<Ball> own_, seen_;  // in the body's coordinates, and in the view
+  double scale_ = 0;              // s
+  std::array<double, 9> inverse_{};
+  std::array<double, 3> shift_{};
 };
 
 }  // namespace tetracone::tetratree

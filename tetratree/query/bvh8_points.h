@@ -76,6 +76,16 @@ class Bvh8_points {
     }
   }
 
+  /// Returns a lower bound of the distance, which is off by few roundings; 0 where coordinates are too large to bound.
+  /// Requires finite coordinates.
+  double lower_bound(const covering::Vertex& x)
+  {
+    search(x, 0);
+    double low = std::numeric_limits<double>::infinity();
+    for (const Candidate& c : candidates_) low = kernel::minimum(low, c.low);
+    return low * tree_->scale().unit;
+  }
+
   /// Returns the nearest point by rationals.
   Exact_surface_point exactly(const kernel::Rational_point& x)
   {

@@ -117,9 +117,8 @@ class Bvh8_relation_solver : public Relation_solver {
     }
     if (!depth_search_) {
       const Body_data &a = body_[0]->by_triangles(), &b = body_[1]->by_triangles();
-      depth_search_.emplace(seen(a), seen(b),
-                            std::array{tetratree::inner_balls(a.bvh8(), a.point_locator()),
-                                       tetratree::inner_balls(b.bvh8(), b.point_locator())});
+      depth_search_.emplace(seen(a), seen(b), tetratree::Inner_balls(a.bvh8(), a.point_locator()),
+                            tetratree::Inner_balls(b.bvh8(), b.point_locator()));
     }
     const auto exit = [&](const kernel::Rational_point& direction) {
       const kernel::Direction_view view(direction);

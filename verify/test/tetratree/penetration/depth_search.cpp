@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -22,6 +23,7 @@ using tetracone::Body;
 using tetracone::Depth;
 using tetracone::Polyhedron;
 using tetracone::Query;
+
 using tetracone::kernel::Pose;
 using tetracone::kernel::Rational;
 
@@ -149,6 +151,36 @@ BOOST_AUTO_TEST_CASE(deep_overlaps_have_narrow_brackets)
       BOOST_TEST((relation != tetracone::Solid_relation::meet && relation != tetracone::Solid_relation::disjoint));
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(cubes_in_a_block_leave_it_or_enter_a_cavity)
+{
+  // The least translation brings a cube out of the block, or into its cavity: an exact fit in one of four.
+  scenes::Random random(6);
+  int into_cavity = 0, exact = 0;
+  for (int round = 0; round < 24; ++round) {
+    std::array<double, 3> at, low, high;
+    Rational out = 1000, in = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = scenes::integer(random, 16, 56) / 4.0;
+      low[k] = scenes::integer(random, 16, 56) / 4.0;
+      high[k] = low[k] + 2 + scenes::integer(random, 0, 3) / 2.0;
+      const Rational move = at[k] < low[k] ? low[k] - at[k] : std::max(at[k] + 2 - high[k], 0.0);
+      in += move * move;
+      out = std::min(out, Rational(std::min(at[k] + 2, 20 - at[k])));
+    }
+    const Polyhedron block = scenes::with_cavity(scenes::box({0, 0, 0}, {20, 20, 20}),
+                                                 scenes::box({low[0], low[1], low[2]}, {high[0], high[1], high[2]})),
+                     small = scenes::box({at[0], at[1], at[2]}, {at[0] + 2, at[1] + 2, at[2] + 2});
+    const Rational truth = std::min(in, Rational(out * out));
+    const Depth depth = depth_of(small, block, Pose(), Pose(), {1e-4, 20000});
+    BOOST_TEST(Rational(depth.low) * Rational(depth.low) <= truth);
+    BOOST_TEST(Rational(depth.exact_square) >= truth);
+    into_cavity += in < out * out;
+    exact += Rational(depth.exact_square) == truth;
+  }
+  BOOST_TEST(into_cavity > 8);
+  BOOST_TEST(exact > 20);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_width_is_refused)
