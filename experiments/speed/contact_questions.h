@@ -54,13 +54,13 @@ struct Named_question {
   std::function<Contact_question()> make;
 };
 
-/// Returns the questions, of `rotations` cases each:
+/// Returns the questions, of `rotations` cases each, and fewer motions:
 /// - contacts and distances of the study's workloads in exact and near contact;
-/// - motions of their cubes that end each in a contact of faces, edges or vertices;
+/// - motions of their cubes through a contact of faces, edges or vertices, and contacts of their triangles;
 /// - points and rays in degenerate positions to a body of flat faces;
 /// - scenes of cubes that are stacked without gaps.
 ///
-/// A motion goes on into an overlap. Throws as `study_workloads`, when a workload is made.
+/// Throws as `study_workloads`, when a workload is made.
 std::vector<Named_question> contact_questions(const std::filesystem::path& models, int rotations, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

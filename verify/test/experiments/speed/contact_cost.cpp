@@ -51,6 +51,7 @@ BOOST_AUTO_TEST_CASE(every_question_has_its_verdicts_and_exact_ones_are_right)
       {"surface", with_fcl},
       {"solid", trees},
       {"contacts", {"adaptive tree", "epeck tree"}},
+      {"contacts of triangles", {"adaptive tree", "epeck tree"}},
       {"distance", {"adaptive tree", "double tree", "rational tree"}},
       {"motion", {"adaptive tree"}},
       {"point", trees},
@@ -58,7 +59,7 @@ BOOST_AUTO_TEST_CASE(every_question_has_its_verdicts_and_exact_ones_are_right)
       {"ray", {"adaptive tree", "double moeller-trumbore"}},
       {"scene", trees}};
   BOOST_TEST((subjects == expected));
-  for (const std::string question : {"surface", "contacts", "distance", "motion"})
+  for (const std::string question : {"surface", "contacts", "contacts of triangles", "distance", "motion"})
     for (const std::string shared : {"face", "edge", "vertex"})
       BOOST_TEST(in_contact.contains({question, "shared " + shared}), question + ", " + shared);
   for (const std::string at : {"on a vertex", "on an edge", "on a face"})
