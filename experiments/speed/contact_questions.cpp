@@ -145,7 +145,8 @@ covering::Polyhedron of_triangles(const covering::Polyhedron& body)
 {
   covering::Polyhedron result;
   result.vertices = body.vertices;
-  for (const auto& [p, q, r] : *verify::triangles_of(body)) result.add_polygon({p, q, r});
+  const verify::Triangles triangles = *verify::triangles_of(body);
+  for (const auto& [p, q, r] : triangles) result.add_polygon({p, q, r});
   return result;
 }
 
