@@ -305,8 +305,8 @@ Contact_question rays(const Probe_kind& kind, int count, const Random& random)
   return asked;
 }
 
-/// Scenes of 27 cubes that are stacked without gaps. A case is a frame, in which all of them are moved to another common
-/// frame.
+/// Scenes of 27 cubes that are stacked without gaps. A case is a frame of the scene, which moves all of them into
+/// another common frame.
 Contact_question stacks(bool exact, int count, Random random)
 {
   constexpr std::size_t cubes = 27;
