@@ -35,7 +35,7 @@ constexpr std::array experiments = {
         "study",
         "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?",
         "2 min", run_study, "--models --frames --rotations --seed --full --subject-command"},
-    Experiment{"contact-cost", "what does an exact answer cost where bodies touch, over double and FCL?", "20 s",
+    Experiment{"contact-cost", "what does each exact answer cost where bodies touch, over double and FCL?", "1 min",
                run_contact_cost, "--models --rotations --seed"},
     Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "4 min",
                run_peers, "--models --race-frames --race-seconds --seed --full --subject-command"},
@@ -124,7 +124,8 @@ void add_experiment_command(CLI::App& app)
   command->add_option("--models", options->models,
                       "Folder that experiments/support/fetch_models.sh filled; default: its own");
   add_default(*command, "--frames", options->frames, "study: poses of each trajectory")->check(poses);
-  add_default(*command, "--rotations", options->rotations, "study, contact-cost: poses of each degenerate scenario")
+  add_default(*command, "--rotations", options->rotations,
+              "study, contact-cost: poses of each degenerate scenario, and points, rays and frames")
       ->check(poses);
   add_default(*command, "--race-frames", options->race_frames,
               "peers, scaling, ablation, paper, distance, threads, coherence, contacts, penetration, scenes, budget, "

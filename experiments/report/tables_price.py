@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """OUT/study.csv, OUT/contact_cost.csv -> the price of exactness by regime and kind of contact, on the terminal.  usage: tables_price.py OUT
 
-The adaptive kernel's time over double's on the same tree, and over FCL's, whose answers are wrong at times.
+The adaptive kernel's time over double's on the same tree, over FCL's, whose answers are wrong at times, and over that of the general exact stage alone.
 """
 
 import html
@@ -11,9 +11,11 @@ import sys
 from report_data import by, geometric_mean, interval, share
 from study_data import Study, workload
 
-EXACT, ROUNDED, FCL = "adaptive tree", "double tree", "FCL OBBRSS"
+EXACT, ROUNDED, FCL = ("adaptive tree", "adaptive locator"), ("double tree",), ("FCL OBBRSS",)
+GENERAL = "epeck tree", "rational tree"  # distances are not asked of the first
 COLUMNS = ("regime", "contact", "question", "workloads", "poses", "collisions", "adaptive_us", "over_double", "over_double_low", "over_double_high",
-           "over_fcl", "over_fcl_low", "over_fcl_high", "exact_signs", "wrong_double", "wrong_fcl")
+           "over_fcl", "over_fcl_low", "over_fcl_high", "over_general", "over_general_low", "over_general_high", "exact_signs", "wrong_double", "wrong_fcl")
+COLLISIONS = "surface", "solid"
 REGIME = {"random": "in motion", "exactly degenerate": "exact contact", "near-degenerate": "near contact", "nested": "containment"}
 
 
@@ -25,18 +27,19 @@ def prices(study):
     """A row a trajectory or a kind of contact, and question: see COLUMNS. FCL answers of surfaces alone."""
     lines = []
     order = {panel: k for k, panel in enumerate(REGIME)}
-    mine = sorted((r for r in study.rows if r["subject"] == EXACT), key=lambda r: order[r["panel"]])
+    mine = sorted((r for r in study.rows if r["subject"] in EXACT), key=lambda r: order[r["panel"]])
     other = {(workload(r), r["subject"]): r for r in study.rows}
     for (panel, scenario, question), rows in by(mine, "panel", "scenario", "question").items():
-        both = {s: [(r, other[workload(r), s]) for r in rows if (workload(r), s) in other] for s in (ROUNDED, FCL)}
+        both = {of: [(r, next(other[workload(r), s] for s in of if (workload(r), s) in other)) for r in rows if any((workload(r), s) in other for s in of)]
+                for of in (ROUNDED, FCL, GENERAL)}
         if question == "solid":
             both[FCL] = []  # its answers are of surfaces
-        over = {s: [a["mean_ns"] / b["mean_ns"] for a, b in pairs] for s, pairs in both.items()}
+        over = {of: [a["mean_ns"] / b["mean_ns"] for a, b in pairs] for of, pairs in both.items()}
         lines.append([REGIME[panel], scenario, question, len(rows), whole(rows, "poses"), whole(rows, "collisions"),
                       f"{geometric_mean(r['mean_ns'] for r in rows) / 1000:.4g}",
-                      *(f"{x:.4g}" if over[s] and x is not None else "" for s in (ROUNDED, FCL) for x in (geometric_mean(over[s]), *interval(over[s]))),
+                      *(f"{x:.4g}" if ratios and x is not None else "" for ratios in over.values() for x in (geometric_mean(ratios), *interval(ratios))),
                       f"{sum(r['exact_fallbacks'] for r in rows) / len(rows):.3g}",
-                      *(whole([b for _, b in both[s]], "wrong") if both[s] else "" for s in (ROUNDED, FCL))])
+                      *(whole([b for _, b in both[of]], "wrong") if both[of] else "" for of in (ROUNDED, FCL))])
     return [dict(zip(COLUMNS, line)) for line in lines]
 
 
@@ -48,19 +51,28 @@ def ratio(price, key):
     return f"{float(price[key]):.3g}" + (f" ({float(low):.3g} .. {float(high):.3g})" if low else "")
 
 
-def sections(page, study, campaign):
-    if not study or not {EXACT, ROUNDED} <= set(study.subjects):
-        return
-    found = prices(study)
-    source = study.source("What does exactness cost, by regime and kind of contact?", [r for r in study.rows if r["subject"] in (EXACT, ROUNDED, FCL)])
-    data = page.table("price", list(COLUMNS), [list(p.values()) for p in found], source)
+def section(page, study, name, title, words, asked, found):
+    source = study.source(asked, [r for r in study.rows if r["subject"] in EXACT + ROUNDED + FCL + GENERAL and r["question"] in {p["question"] for p in found}])
+    data = page.table(name, list(COLUMNS), [list(p.values()) for p in found], source)
     body = [(False, [p["regime"], f"{html.escape(p['contact'])}<br><small>{p['question']}</small>", f"{p['collisions']:,} of {p['poses']:,}",
-                     f"{float(p['adaptive_us']):.3g}", ratio(p, "over_double"), ratio(p, "over_fcl"), p["exact_signs"],
+                     f"{float(p['adaptive_us']):.3g}", *(ratio(p, key) for key in ("over_double", "over_fcl", "over_general")), p["exact_signs"],
                      *(share(p[w], p["poses"]) if p[w] != "" else "–" for w in ("wrong_double", "wrong_fcl"))]) for p in found]
-    head = ["regime", "contact", "collide", "adaptive, µs", "time / double's, same tree", "time / FCL's", "exact signs a query", "wrong: double", "wrong: FCL"]
-    yield page.section("price", "The price of exactness", "<p>The adaptive kernel on the fast tree, over the same tree with leaves decided in double, and over FCL. "
-                       "In parentheses: the 95 % interval of the geometric mean, by resampling the workloads, where there are several.</p>",
-                       page.html_table(head, body, source, data))
+    head = ["regime", "contact", "collide", "adaptive, µs", "time / double's, same tree", "time / FCL's", "time / general exact stage's", "exact signs a query",
+            "wrong: double", "wrong: FCL"]
+    return page.section(name, title, f"<p>{words}</p>", page.html_table(head, body, source, data))
+
+
+def sections(page, study, campaign):
+    if study and any(s in study.subjects for s in EXACT) and any(s in study.subjects for s in ROUNDED):
+        yield section(page, study, "price", "The price of exactness", "The adaptive kernel on the fast tree, over the same tree with leaves decided in double, "
+                      "over FCL, and over rationals that are filtered by intervals. In parentheses: the 95 % interval of the geometric mean, by resampling the "
+                      "workloads, where there are several.", "What does exactness cost, by regime and kind of contact?", prices(study))
+    others = Study(page.out, "contact_cost")
+    if found := [p for p in prices(others) if p["question"] not in COLLISIONS]:
+        yield section(page, others, "price_of_questions", "The price of exactness, of other questions in contact", "Contacts, distances, motions, points, rays and "
+                      "scenes where bodies touch or nearly do, as above. A point by table is asked of <code>Body::inside</code>, a motion and a ray have no method "
+                      "in double on the same tree. In <b>collide</b> are the cases in contact.",
+                      "What does exactness cost where bodies touch, by question and kind of contact?", found)
 
 
 def main():
@@ -69,11 +81,12 @@ def main():
     found = [p for name in ("study", "contact_cost") for p in prices(Study(sys.argv[1], name))]
     if not found:
         sys.exit(f"{sys.argv[1]}: no study.csv or contact_cost.csv; expected the results of tetracone experiment study or contact-cost")
-    print("| regime | contact | question | collide | adaptive, µs | over double, same tree | over FCL | exact signs a query | wrong: double | wrong: FCL |")
-    print("|---|---|---|---|---|---|---|---|---|---|")
+    print("| regime | contact | question | collide | adaptive, µs | over double, same tree | over FCL | over general exact | exact signs a query | wrong: double | "
+          "wrong: FCL |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
     for p in found:
         print("| " + " | ".join([p["regime"], p["contact"], p["question"], f"{p['collisions']} of {p['poses']}", f"{float(p['adaptive_us']):.2g}",
-                                 ratio(p, "over_double"), ratio(p, "over_fcl"), p["exact_signs"], str(p["wrong_double"]), str(p["wrong_fcl"])]) + " |")
+                                 *(ratio(p, key) for key in ("over_double", "over_fcl", "over_general")), p["exact_signs"], str(p["wrong_double"]), str(p["wrong_fcl"])]) + " |")
 
 
 if __name__ == "__main__":

@@ -37,7 +37,9 @@ void run_scaling(const Experiment_options& options);
 void run_study(const Experiment_options& options);
 
 /// Measures what exactness costs in contact: the adaptive kernel, double and EPECK on one tree, and FCL, on the study's
-/// degenerate contacts alone. Writes out/contact_cost.csv and prints the ratios.
+/// degenerate contacts alone. Other questions than collisions are asked there too, of kernels that answer them
+/// (contact_questions.h). Writes out/contact_cost.csv, one row for each workload, question and subject, and prints the
+/// ratios.
 void run_contact_cost(const Experiment_options& options);
 
 /// Measures the queries per second that 1, 2, 4 ... threads make on the same two bodies, up to twice the number of

@@ -1,6 +1,7 @@
 #include "experiments/speed/experiments.h"
 
 #include "experiments/peers/fcl.h"
+#include "experiments/speed/contact_questions.h"
 #include "experiments/speed/contestant.h"
 #include "experiments/speed/timed_poses.h"
 #include "experiments/speed/workloads.h"
@@ -106,6 +107,33 @@ struct Judged {
   tetratree::Query_statistics counts;  ///< work of one pass
 };
 
+/// Times `answer(k)` to each case, and judges it by the truth. `asked` tells its work, and its own time where it clocks
+/// itself.
+template <class Asked, class Answer>
+Judged judge(Asked& asked, const Answer& answer, const std::vector<char>& truth, std::size_t one_in,
+             double build_seconds)
+{
+  Judged result{Timed_poses(truth, one_in), build_seconds, 0, 0, {}};
+
+  const Stopwatch since_first;
+  constexpr int passes = 5;
+  constexpr double enough_seconds = 0.3;  // slow subjects are timed once
+  for (int pass = 0; pass < passes; ++pass) {
+    result.poses.pass(
+        answer, 0,
+        [&](double weight) {
+          const auto counts = asked.take_counts();
+          if (pass == 0) result.counts += weighted(counts, weight);
+        },
+        [&] { return asked.own_ns(); });
+    if (since_first.seconds() > enough_seconds) break;
+  }
+  // By now, the nodes built on demand exist.
+  result.bytes = asked.tree_bytes();
+  result.nodes = asked.node_count();
+  return result;
+}
+
 /// Returns nothing if the contestant does not take such bodies. Throws No_answer.
 std::optional<Judged> judge(const Workload& workload, const Contestant& contestant, Question question,
                             const std::vector<char>& truth)
@@ -113,28 +141,12 @@ std::optional<Judged> judge(const Workload& workload, const Contestant& contesta
   const Stopwatch build;
   const auto pair = contestant.prepare(workload.a, workload.b);
   if (!pair) return std::nullopt;
-  Judged result{Timed_poses(truth, contestant.one_in), build.seconds(), 0, 0, {}};
-
-  const Stopwatch since_first;
-  constexpr int passes = 5;
-  constexpr double enough_seconds = 0.3;  // slow subjects are timed once
-  for (int pass = 0; pass < passes; ++pass) {
-    result.poses.pass([&](std::size_t k) { return pair->collide(workload.pose_a(k), workload.poses_b[k], question); },
-                      0,
-                      [&](double weight) {
-                        const auto counts = pair->take_counts();
-                        if (pass == 0) result.counts += weighted(counts, weight);
-                      },
-                      [&] { return pair->own_ns(); });
-    if (since_first.seconds() > enough_seconds) break;
-  }
-  // By now, the nodes built on demand exist.
-  result.bytes = pair->tree_bytes();
-  result.nodes = pair->node_count();
-  return result;
+  return judge(
+      *pair, [&](std::size_t k) { return pair->collide(workload.pose_a(k), workload.poses_b[k], question); }, truth,
+      contestant.one_in, build.seconds());
 }
 
-Csv_row row(const Workload& workload, Question question, const Contestant& contestant, const Judged& judged,
+Csv_row row(const Workload& workload, const std::string& question, const Contestant& contestant, const Judged& judged,
             std::uint64_t seed)
 {
   const Timed_poses& timed = judged.poses;
@@ -153,7 +165,7 @@ Csv_row row(const Workload& workload, Question question, const Contestant& conte
       .add("faces_a", workload.a.face_count())
       .add("faces_b", workload.b.face_count())
       .add_exact("ratio", 1 / workload.scale_b)
-      .add("question", std::string(to_string(question)))
+      .add("question", question)
       .add("subject", contestant.name)
       .add("kernel", contestant.kernel)
       .add("method", contestant.method)
@@ -193,11 +205,25 @@ std::string study_workload(const Workload& workload, const std::vector<Contestan
       if (question == Question::solid && !contestant.knows_solids) continue;
       try {
         if (const auto judged = judge(workload, contestant, question, truth))
-          table.add(row(workload, question, contestant, *judged, seed));
+          table.add(row(workload, std::string(to_string(question)), contestant, *judged, seed));
       } catch (const No_answer& what) {
         std::cerr << what.what() << "; it has no row of " << workload.scenario << ", " << to_string(question) << '\n';
       }
     }
+  }
+  return table.text();
+}
+
+std::string contact_rows(const Contact_question& asked, std::uint64_t seed)
+{
+  Csv_table table;
+  for (const Way& way : asked.ways) {
+    const Stopwatch build;
+    const auto answers = way.prepare();
+    const double build_seconds = build.seconds();
+    const auto answer = [&](std::size_t k) { return asked.truth[k] + answers->verdict(k); };
+    table.add(row(*asked.workload, asked.name, way.who,
+                  judge(*answers, answer, asked.truth, way.who.one_in, build_seconds), seed));
   }
   return table.text();
 }
@@ -228,6 +254,9 @@ void run_contact_cost(const Experiment_options& options)
                          const Workload made = make();
                          return study_workload(made, contestants_of_contact(made), seed);
                        }});
+  for (Named_question& question : contact_questions(options.models, options.rotations, options.seed))
+    parts.push_back({std::move(question.name),
+                     [make = std::move(question.make), seed = options.seed] { return contact_rows(make(), seed); }});
   write_table(options.out, "contact_cost", parts);
   draw("tables_price.py", options.out);
 }

@@ -82,24 +82,24 @@ class Timed_poses {
   const std::vector<Stratum>& strata() const { return strata_; }
   const Judged_answers& judged() const { return judged_; }
 
-  /// Runs one pass, in which `collide(k)` answers pose k. `clock_ns`, the clock's own time, is subtracted from the time
+  /// Runs one pass, in which `answer(k)` answers pose k. `clock_ns`, the clock's own time, is subtracted from the time
   /// of each pose. Where `own_ns()` tells the time of the last answer, that one counts. After each stratum it calls
   /// `done` with the stratum's weight. Returns the course's mean in nanoseconds.
-  template <class Collide, class Done, class Own_clock = No_own_clock>
-  double pass(const Collide& collide, double clock_ns, const Done& done, const Own_clock& own_ns = {})
+  template <class Answer, class Done, class Own_clock = No_own_clock>
+  double pass(const Answer& answer, double clock_ns, const Done& done, const Own_clock& own_ns = {})
   {
     double total = 0;
     std::size_t place = 0;
     for (const Stratum& stratum : strata_) {
       for (const std::size_t k : stratum.numbers) {
         const Stopwatch watch;
-        const bool answer = collide(k);
+        const int told = answer(k);
         const double watched = watch.nanoseconds();
         const double ns = own_ns().value_or(std::max(0.0, watched - clock_ns));
         total += stratum.weight * ns;
         fastest_[place] = std::min(fastest_[place], ns);
         ++place;
-        if (is_first_) judge(answer, truth_[k]);
+        if (is_first_) judge(told, truth_[k]);
       }
       done(stratum.weight);
     }
@@ -149,11 +149,11 @@ class Timed_poses {
   }
 
  private:
-  void judge(bool answer, bool truth)
+  void judge(int told, int truth)
   {
-    judged_.collisions += truth;
-    judged_.false_positives += answer && !truth;
-    judged_.false_negatives += !answer && truth;
+    judged_.collisions += truth > 0;
+    judged_.false_positives += told > truth;
+    judged_.false_negatives += told < truth;
   }
 
   const std::vector<char>& truth_;

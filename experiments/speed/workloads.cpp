@@ -22,7 +22,6 @@ using covering::Polyhedron;
 using kernel::Pose;
 using kernel::Question;
 using kernel::Rational;
-using Shift = std::array<Rational, 3>;
 
 /// The four objects of the time study, each made once on demand.
 class Objects {
@@ -63,26 +62,13 @@ Workload on_trajectory(Objects& objects, const std::string& trajectory, const st
   return w;
 }
 
-Pose rounded(const Pose& pose) { return Pose(pose.entries()); }
-
-/// Puts both bodies under one random rigid map R and moves B by a shift in A's frame: poses R and R o shift. R is the
-/// rotation of an integer quaternion, then an offset of fractions. If `exact`, the contact in A's frame is kept
-/// exactly. Otherwise both poses are rounded to doubles.
+/// Puts both bodies into a random common frame, B moved by a shift. If `exact`, the contact is kept exactly. Otherwise
+/// both poses are rounded to doubles.
 void add_poses(Workload& w, Random& random, const Shift& shift, bool exact)
 {
-  std::array<int, 4> q{0, 0, 0, 0};
-  while (q == std::array<int, 4>{0, 0, 0, 0})
-    for (int& x : q) x = static_cast<int>(random.bits() % 19) - 9;
-  Shift offset;
-  for (Rational& x : offset) x = Rational(static_cast<int>(random.bits() % 2001) - 1000) / 97;
-  const Pose rotation = Pose::from_quaternion(q[0], q[1], q[2], q[3], offset);
-  Shift t = offset;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) t[i] += rotation.exact(4 * i + j) * shift[j];
-  }
-  const Pose moved = Pose::from_quaternion(q[0], q[1], q[2], q[3], t);
-  w.poses_a.push_back(exact ? rotation : rounded(rotation));
-  w.poses_b.push_back(exact ? moved : rounded(moved));
+  const Common_frame frame(random);
+  w.poses_a.push_back(frame.placed({0, 0, 0}, exact));
+  w.poses_b.push_back(frame.placed(shift, exact));
 }
 
 Workload degenerate(const std::string& scenario, const std::string& a_name, Polyhedron a, const std::string& b_name,
@@ -182,6 +168,25 @@ Workload vertex_on_vertex(Objects& objects, int rotations, Random random)
 }
 
 }  // namespace
+
+Common_frame::Common_frame(Random& random)
+{
+  while (quaternion_ == std::array<int, 4>{0, 0, 0, 0})
+    for (int& x : quaternion_) x = static_cast<int>(random.bits() % 19) - 9;
+  for (Rational& x : offset_) x = Rational(static_cast<int>(random.bits() % 2001) - 1000) / 97;
+}
+
+Pose Common_frame::placed(const Shift& shift, bool exact) const
+{
+  const auto [w, x, y, z] = quaternion_;
+  const Pose rotation = Pose::from_quaternion(w, x, y, z);
+  Shift t = offset_;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) t[i] += rotation.exact(4 * i + j) * shift[j];
+  }
+  const Pose pose = Pose::from_quaternion(w, x, y, z, t);
+  return exact ? pose : Pose(pose.entries());
+}
 
 std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations,
                                             std::uint64_t seed)

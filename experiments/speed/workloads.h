@@ -2,9 +2,12 @@
 #define TETRACONE_EXPERIMENTS_SPEED_WORKLOADS_H
 
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
+#include "verify/cases/random.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +16,21 @@
 #include <vector>
 
 namespace tetracone::experiments {
+
+using Shift = std::array<kernel::Rational, 3>;
+
+/// A random rigid map R: the rotation of an integer quaternion, then an offset of fractions.
+class Common_frame {
+ public:
+  explicit Common_frame(verify::Random& random);
+
+  /// Returns the pose that shifts a body, then applies R, in fractions. Unless `exact`, it is rounded to doubles.
+  kernel::Pose placed(const Shift& shift, bool exact) const;
+
+ private:
+  std::array<int, 4> quaternion_{};
+  Shift offset_;
+};
 
 /// Two bodies, their poses and the questions asked of them.
 struct Workload {

@@ -27,17 +27,6 @@ Rational square_of(const Coordinates& p, const Coordinates& q)
 
 double next_above(double x) { return std::min(std::nextafter(x, HUGE_VAL), std::numeric_limits<double>::max()); }
 
-/// True when `x` is the double nearest to the root of `square`: the root is not beyond the middle to either neighbour.
-bool is_nearest_root(double x, const Rational& square)
-{
-  if (!(x >= 0)) return false;
-  constexpr double largest = std::numeric_limits<double>::max();
-  if (std::isinf(x)) return square >= Rational(largest) * Rational(largest);
-  const Rational here(x), above(next_above(x)), below(x > 0 ? std::nextafter(x, 0.0) : 0.0);
-  const Rational high = (here + above) / 2, low = (here + below) / 2;
-  return low * low <= square && square <= high * high;
-}
-
 /// True when the named feature contains the exact image of the point, by CGAL. For a point inside a solid the distance
 /// itself is the proof.
 bool holds(const Placed_body& placed, const Holder& holder, const Coordinates& x)

@@ -312,6 +312,8 @@ std::shared_ptr<const covering::Polyhedron> any_body(Random& random, const std::
   }
 }
 
+}  // namespace
+
 Probed_body probed(std::shared_ptr<const covering::Polyhedron> body)
 {
   Probed_body probed{std::move(body), {}, {}, {}};
@@ -325,6 +327,8 @@ Probed_body probed(std::shared_ptr<const covering::Polyhedron> body)
     }
   return probed;
 }
+
+namespace {
 
 Random random_of(std::uint64_t seed, const Probe_family& family, std::uint64_t part, std::uint64_t index)
 {

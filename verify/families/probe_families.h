@@ -19,6 +19,9 @@ struct Probed_body {
   kernel::Vertex low{}, high{};  ///< its box
 };
 
+/// Returns a body with these data. Requires a vertex.
+Probed_body probed(std::shared_ptr<const covering::Polyhedron> body);
+
 /// A point, and the direction of the ray from it; 0 for a point alone.
 struct Probe {
   kernel::Vertex from{}, direction{};

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -163,6 +165,17 @@ Rational squared_distance(const Placed_body& a, const Placed_body& b, Rational (
     if (sgn(*least) == 0) break;
   }
   return *least;
+}
+
+bool is_nearest_root(double x, const Rational& square)
+{
+  if (!(x >= 0)) return false;
+  constexpr double largest = std::numeric_limits<double>::max();
+  if (std::isinf(x)) return square >= Rational(largest) * Rational(largest);
+  const Rational here(x), above(std::min(std::nextafter(x, HUGE_VAL), largest)),
+      below(x > 0 ? std::nextafter(x, 0.0) : 0.0);
+  const Rational high = (here + above) / 2, low = (here + below) / 2;
+  return low * low <= square && square <= high * high;
 }
 
 }  // namespace tetracone::verify

@@ -29,6 +29,9 @@ Rational squared_distance_by_program(const Simplex& a, const Simplex& b);
 Rational squared_distance(const Placed_body& a, const Placed_body& b,
                           Rational (*of)(const Simplex&, const Simplex&) = squared_distance_by_features);
 
+/// True when `x` is the double nearest to the root of `square`: the root is not beyond the middle to either neighbour.
+bool is_nearest_root(double x, const Rational& square);
+
 }  // namespace tetracone::verify
 
 #endif

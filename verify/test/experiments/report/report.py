@@ -53,6 +53,12 @@ def study():
     return rows
 
 
+def contact_cost():
+    """One question in exact contact, and one that the study has too."""
+    return [dict(next(r for r in study() if (r["scenario"], r["subject"]) == ("shared face", "adaptive tree")), question=question, subject=subject, mean_ns=ns)
+            for question in ("distance", "surface") for subject, ns in (("adaptive tree", 300), ("double tree", 200), ("rational tree", 6000))]
+
+
 def campaign():
     """Tables by name, small but whole: every section has something to draw."""
     asked = [(level, s, q) for level, subjects, questions in (("object", ("double brute", "double tree", "adaptive tree", "FCL OBBRSS"),
@@ -206,7 +212,7 @@ def draw(out, with_study=None, with_campaign=None, everything=True):
         write(f"{out}/tables/verify_{name}.csv", rows)
     if everything:
         for name, rows in (("sign_maps", signs()), ("stability", thresholds()), ("compilers", compilers()), ("peers", peers()),
-                           *queries(), *scenes(), *overlaps(), ("motion", motion())):
+                           ("contact_cost", contact_cost()), *queries(), *scenes(), *overlaps(), ("motion", motion())):
             write(f"{out}/{name}.csv", [dict(row, again=words_of(name)) for row in rows])
     done = subprocess.run([sys.executable, "-B", os.path.join(SOURCE, "report.py"), out], capture_output=True, text=True)
     if done.returncode:
@@ -293,6 +299,13 @@ class Whole_report(unittest.TestCase):
         self.assertEqual((moving["regime"], moving["workloads"], moving["wrong_fcl"]), ("in motion", "2", "0"))
         self.assertLessEqual(float(moving["over_double_low"]), float(moving["over_double"]))
         self.assertEqual(rows["nested", "solid"]["over_fcl"], "")  # it answers of surfaces
+
+    def test_the_price_of_other_questions_is_told_beside(self):
+        with open(f"{self.out}/tables/price_of_questions.csv", newline="", encoding="utf-8") as file:
+            (row,) = csv.DictReader(file)
+        self.assertEqual([row[c] for c in ("question", "contact", "over_double", "over_fcl", "over_general", "wrong_double")],
+                         ["distance", "shared face", "1.5", "", "0.05", "0"])
+        self.assertEqual(row["command"], words_of("contact_cost"))
 
     def test_moving_primitives_are_summed_over_families(self):
         with open(f"{self.out}/tables/motion.csv", newline="", encoding="utf-8") as file:

@@ -94,4 +94,15 @@ BOOST_AUTO_TEST_CASE(all_poses_are_asked_in_their_order)
   BOOST_TEST(poses.quantile_ns(0) <= poses.quantile_ns(0.5));
 }
 
+BOOST_AUTO_TEST_CASE(a_number_above_the_truth_is_a_false_positive_and_one_below_a_false_negative)
+{
+  const std::vector<char> truth = truth_of(4, {1, 2, 3});
+  Timed_poses poses(truth, 1);
+  const int told[] = {1, 1, 0, 2};
+  poses.pass([&](std::size_t k) { return told[k]; }, 0, [](double) {});
+  BOOST_TEST(poses.judged().collisions == 3u);
+  BOOST_TEST(poses.judged().false_positives == 2u);
+  BOOST_TEST(poses.judged().false_negatives == 1u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
