@@ -228,8 +228,7 @@ BOOST_AUTO_TEST_CASE(a_program_is_counted_for_the_triangles_that_it_is_asked)
     }
     Failure failure() const override { return {"status 3", "no idea"}; }
   };
-  Predicate_subject turns{"turns"};
-  turns.start = [] { return std::make_unique<Takes_turns>(); };
+  const Predicate_subject turns{"turns", false, "", nullptr, [] { return std::make_unique<Takes_turns>(); }};
   const auto all = levels::Predicates::families();
   const auto apart = std::ranges::find(all, "nested", [](const Family* family) { return family->name; });
   BOOST_TEST_REQUIRE((apart != all.end()));
