@@ -11,6 +11,7 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
 #include "verify/campaign/family_lines.h"
+#include "verify/cases/case_numbers.h"
 #include "verify/families/families.h"
 #include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/integer_truth/integer_truth.h"
@@ -33,12 +34,12 @@ using kernel::Question;
 using Json = nlohmann::ordered_json;
 
 /// A double is a number, any other rational a string n/d.
-Json number(const kernel::Pose& pose, int k)
+Json number(const kernel::Rational& x)
 {
-  if (!pose.is_rational()) return pose[k];
-  const std::string text = kernel::exact_text(pose.exact(k));
-  return text.find('/') == std::string::npos ? Json(pose[k]) : Json(text);
+  const std::string text = kernel::exact_text(x);
+  return text.find('/') == std::string::npos ? Json(kernel::nearest_double(x)) : Json(text);
 }
+Json number(const kernel::Pose& pose, int k) { return pose.is_rational() ? number(pose.exact(k)) : Json(pose[k]); }
 
 /// Returns a number in JSON, or a text for an infinite one, which JSON lacks.
 Json finite_or_text(double x)
@@ -103,6 +104,14 @@ class Rows {
 void add_pose(Rows& rows, char body, const kernel::Pose& pose)
 {
   for (int k = 0; k < 12; ++k) rows.add(body + std::to_string(k / 4) + std::to_string(k % 4), number(pose, k));
+}
+
+/// The corners of both triangles of a case, placed: s0 s1 s2 and t0 t1 t2.
+void add_triangles(Rows& rows, const verify::Predicate_case& c)
+{
+  const auto pair = verify::placed_triangles(c);
+  for (std::size_t k = 0; k < 18; ++k)
+    rows.add({"st"[k / 9], "012"[k / 3 % 3], "xyz"[k % 3]}, number(pair[k / 9][k / 3 % 3][k % 3]));
 }
 
 void add_origin(Rows& rows, const verify::Origin& origin)
@@ -234,7 +243,7 @@ void export_dataset(const Experiment_options& options)
   const std::filesystem::path folder = options.out / "dataset";
   make_folder(folder / "meshes");
   Meshes meshes(folder / "meshes");
-  Rows objects, predicates;
+  Rows objects, predicates, triangles;
   Progress progress("cases", 2 * cases * verify::families().size());
   for (const verify::Family& family : verify::families())
     for (std::uint64_t k = 0; k < cases; ++k) {
@@ -263,27 +272,36 @@ void export_dataset(const Experiment_options& options)
         const auto truth = verify::true_answer(predicate, p);
         agree(truth == verify::integer_truth::answer(predicate, p));
         if (!truth) continue;
-        add_origin(predicates, p.origin);
-        predicates.add("predicate", verify::to_string(predicate));
-        predicates.add("truth", *truth);
+        const bool is_of_triangles = predicate == verify::Predicate::triangle_triangle;
+        Rows& rows = is_of_triangles ? triangles : predicates;
+        add_origin(rows, p.origin);
+        if (!is_of_triangles) rows.add("predicate", verify::to_string(predicate));
+        rows.add("truth", *truth);
         const verify::Distance from = verify::distance(predicate, p);
-        predicates.add("log2_rho", of_distance(from.log2_rho));
-        predicates.add("log2_ulps", of_distance(from.log2_ulps));
+        rows.add("log2_rho", of_distance(from.log2_rho));
+        rows.add("log2_ulps", of_distance(from.log2_ulps));
+        if (is_of_triangles) {
+          add_triangles(rows, p);
+          rows.end();
+          continue;
+        }
         const std::pair<const char*, const kernel::Vertex*> points[] = {
             {"v0", &p.v[0]}, {"v1", &p.v[1]}, {"v2", &p.v[2]}, {"v3", &p.v[3]}, {"p", &p.p}, {"q", &p.q}, {"r", &p.r}};
         for (const auto& [name, point] : points)
-          for (int i = 0; i < 3; ++i) predicates.add(name + std::string(1, "xyz"[i]), (*point)[i]);
-        add_pose(predicates, 'a', p.pose_a);
-        add_pose(predicates, 'b', p.pose_b);
-        predicates.end();
+          for (int i = 0; i < 3; ++i) rows.add(name + std::string(1, "xyz"[i]), (*point)[i]);
+        add_pose(rows, 'a', p.pose_a);
+        add_pose(rows, 'b', p.pose_b);
+        rows.end();
       }
       progress.step();
     }
   Checked_folder kept(folder, meshes.checksums());
-  kept.add("cases.csv", objects.csv());
-  kept.add("cases.jsonl", objects.json_lines());
-  kept.add("predicates.csv", predicates.csv());
-  kept.add("predicates.jsonl", predicates.json_lines());
+  const std::map<std::string, const Rows*> tables = {
+      {"cases", &objects}, {"predicates", &predicates}, {"triangles", &triangles}};
+  for (const auto& [name, rows] : tables) {
+    kept.add(name + ".csv", rows->csv());
+    kept.add(name + ".jsonl", rows->json_lines());
+  }
   const Described_families described = described_families();
   kept.add("families.csv", described.csv);
   kept.add("LICENSE", dataset_files::license);
@@ -312,7 +330,7 @@ void export_dataset(const Experiment_options& options)
       file["sha256"] = kept.sum(name);
     }
   for (Json& table : croissant["recordSet"])
-    table["field"] = fields(table["@id"], (table["@id"] == "cases" ? objects : predicates).columns(), meanings);
+    table["field"] = fields(table["@id"], tables.at(table["@id"])->columns(), meanings);
   kept.add("croissant.json", croissant.dump(1) + "\n");
   kept.add("README.md",
            std::string(dataset_files::readme_md) + described_fields(croissant["recordSet"]) + described.markdown);

@@ -110,6 +110,7 @@ void add_commands(const std::vector<verify::Object_subject>& commands, std::chro
     if constexpr (std::is_same_v<Level, verify::levels::Objects>) asked.subjects.push_back(command);
     if constexpr (std::is_same_v<Level, verify::levels::Distances>)
       if (tells_distances(command)) asked.subjects.push_back(command);
+    if constexpr (std::is_same_v<Level, verify::levels::Predicates>) add(triangle_command(command, limit));
     if constexpr (std::is_same_v<Level, verify::levels::Points>) add(point_command(command, limit));
     if constexpr (std::is_same_v<Level, verify::levels::Rays>) add(ray_command(command, limit));
     if constexpr (std::is_same_v<Level, verify::levels::Motions>) add(motion_command(command, limit));

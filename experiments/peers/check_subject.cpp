@@ -328,6 +328,14 @@ const std::vector<Talk_kind> kinds = {
        };
        talk.ask_kind(Kind::first_contact, moves(beside, beyond), Outcome::yes, 0.5);
        talk.ask_kind(Kind::first_contact, moves(beside, Pose::translation(9, 0, 0)), Outcome::no);
+       const auto pair = [](const kernel::Rational& height) {
+         const verify::Predicate_case c = {
+             {kernel::Vertex{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {1, 1, 0}, {2, 1, 2}, {1, 2, 3}, {},
+             Pose::from_quaternion(1, 0, 0, 0, {0, 0, height}),          {}};
+         return [=](std::uint64_t ask) { return triangles(ask, c); };
+       };
+       talk.ask_kind(Kind::triangles, pair(kernel::Rational(-1, 3)), Outcome::yes);
+       talk.ask_kind(Kind::triangles, pair(kernel::Rational(1, 3)), Outcome::no);
      }},
     {"the end of its input is its end",
      [](Talk& talk) {

@@ -326,6 +326,29 @@ class Running_command_motion : public verify::Running_motion {
   Program program_;
 };
 
+/// Asked whether two triangles share a point.
+class Running_command_triangles : public verify::Running_predicates {
+ public:
+  Running_command_triangles(const std::string& name, Program program)
+      : Running_predicates(name), program_(std::move(program))
+  {}
+
+  verify::Told<int> operator()(const verify::Predicate_case& c, verify::Predicate predicate) override
+  {
+    if (predicate != verify::Predicate::triangle_triangle) return {};
+    const Reply reply = program_.ask(Kind::triangles, {},
+                                     [&](std::uint64_t ask, const auto&) { return subject_lines::triangles(ask, c); });
+    if (reply.outcome != Outcome::yes && reply.outcome != Outcome::no) return {*reply.outcome};
+    return {Outcome::yes, reply.outcome == Outcome::yes, program_.spent()};
+  }
+
+  verify::Failure failure() const override { return program_.failure(); }
+  std::uint64_t skipped_lines() const override { return program_.skipped_lines(); }
+
+ private:
+  Program program_;
+};
+
 /// The program of a subject; its pace is shared by all threads.
 std::function<Program()> program_of(const verify::Object_subject& subject, std::chrono::milliseconds limit)
 {
@@ -335,12 +358,18 @@ std::function<Program()> program_of(const verify::Object_subject& subject, std::
   };
 }
 
+/// True where the hello of the subject's program names the kind.
+bool tells(const verify::Object_subject& subject, Kind kind)
+{
+  const auto hello = subject_lines::read_hello(subject.hello);
+  return hello && hello->takes(kind);
+}
+
 /// The program as a subject of one kind of question, where its hello names it.
 template <class Running, class Subject>
 std::optional<Subject> of_kind(Kind kind, const verify::Object_subject& subject, std::chrono::milliseconds limit)
 {
-  const auto hello = subject_lines::read_hello(subject.hello);
-  if (!hello || !hello->takes(kind)) return std::nullopt;
+  if (!tells(subject, kind)) return std::nullopt;
   return Subject{subject.name, false, subject.note,
                  [make = program_of(subject, limit)] { return std::make_unique<Running>(make()); }};
 }
@@ -367,8 +396,7 @@ verify::Object_subject subject_command(const std::string& name, const std::strin
 
 bool tells_distances(const verify::Object_subject& subject)
 {
-  const auto hello = subject_lines::read_hello(subject.hello);
-  return hello && (hello->takes(Kind::distance) || hello->takes(Kind::within));
+  return tells(subject, Kind::distance) || tells(subject, Kind::within);
 }
 
 std::optional<verify::Point_subject> point_command(const verify::Object_subject& subject,
@@ -386,6 +414,16 @@ std::optional<verify::Moving_bodies_subject> motion_command(const verify::Object
                                                             std::chrono::milliseconds limit)
 {
   return of_kind<Running_command_motion, verify::Moving_bodies_subject>(Kind::first_contact, subject, limit);
+}
+
+std::optional<verify::Predicate_subject> triangle_command(const verify::Object_subject& subject,
+                                                          std::chrono::milliseconds limit)
+{
+  if (!tells(subject, Kind::triangles)) return std::nullopt;
+  return verify::Predicate_subject{subject.name, false, subject.note, nullptr,
+                                   [name = subject.name, make = program_of(subject, limit)] {
+                                     return std::make_unique<Running_command_triangles>(name, make());
+                                   }};
 }
 
 std::optional<subject_lines::Hello> require_command(const std::string& command, std::chrono::milliseconds limit)

@@ -4,6 +4,7 @@
 #include "experiments/peers/subject_lines.h"
 #include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/object_subject.h"
+#include "verify/subjects/predicate_subject.h"
 #include "verify/subjects/probe_subject.h"
 
 #include <chrono>
@@ -35,6 +36,10 @@ std::optional<verify::Point_subject> point_command(const verify::Object_subject&
 std::optional<verify::Ray_subject> ray_command(const verify::Object_subject& subject, std::chrono::milliseconds limit);
 std::optional<verify::Moving_bodies_subject> motion_command(const verify::Object_subject& subject,
                                                             std::chrono::milliseconds limit);
+
+/// Returns the same program as a subject of two triangles; nothing where its hello does not name them.
+std::optional<verify::Predicate_subject> triangle_command(const verify::Object_subject& subject,
+                                                          std::chrono::milliseconds limit);
 
 /// Returns the program's hello, if it begins with one. Throws std::runtime_error when the shell cannot run the command:
 /// it is asked one question and ends with status 126 or 127. The campaign counts any other failure.

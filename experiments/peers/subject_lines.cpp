@@ -3,6 +3,7 @@
 #include "tetracone/covering/check.h"
 #include "tetracone/kernel/motion/rotation_quaternion.h"
 #include "tetracone/kernel/number/number.h"
+#include "verify/cases/case_numbers.h"
 #include "verify/relations/convex_body.h"
 
 #include <nlohmann/json.hpp>
@@ -104,6 +105,7 @@ const char* form_of(Kind kind)
     case Kind::ray: return "0, null, or 1 with \"t\", a number from 0";
     case Kind::first_contact: return "0, null, or 1 with \"t\", a number from 0 to 1";
     case Kind::within:
+    case Kind::triangles:
     case Kind::collide: break;
   }
   return "0, 1 or null";
@@ -133,7 +135,7 @@ Reply value_of(const nlohmann::json& json, const nlohmann::json& answer, Kind ki
     return is_number(answer, -1, 1) ? Reply{Outcome::yes, "", {}, answer.get<double>()} : Reply{};
   if (answer == 0) return {Outcome::no, "", {}};
   if (answer != 1) return {};
-  if (kind == Kind::within || kind == Kind::collide) return {Outcome::yes, "", {}};
+  if (kind == Kind::within || kind == Kind::collide || kind == Kind::triangles) return {Outcome::yes, "", {}};
   const auto t = json.find("t");
   if (t == json.end() || !is_number(*t, 0, kind == Kind::first_contact ? 1 : largest)) return {};
   return {Outcome::yes, "", {}, t->get<double>()};
@@ -171,6 +173,7 @@ const char* to_string(Kind kind)
     case Kind::inside: return "inside";
     case Kind::ray: return "ray";
     case Kind::first_contact: return "first contact";
+    case Kind::triangles: return "triangles";
     case Kind::collide: break;
   }
   return "collide";
@@ -306,6 +309,19 @@ std::string ray(std::uint64_t ask, std::uint64_t a, const kernel::Vertex& origin
 {
   return of_one(ask, a) + ",\"origin\":" + vertex_text(origin) + ",\"direction\":" + vertex_text(direction) +
          question_text(Kind::ray);
+}
+
+std::string triangles(std::uint64_t ask, const verify::Predicate_case& c)
+{
+  std::string text = "{\"ask\":" + std::to_string(ask);
+  const auto pair = verify::placed_triangles(c);
+  for (const char body : {'a', 'b'}) {
+    text += std::string(",\"triangle_") + body + "\":";
+    list(text, 3, [&](std::size_t corner) {
+      list(text, 3, [&](std::size_t k) { text += number_text(kernel::exact_text(pair[body - 'a'][corner][k])); });
+    });
+  }
+  return text + question_text(Kind::triangles);
 }
 
 std::string batch(const std::vector<std::string>& asks)

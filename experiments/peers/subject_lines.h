@@ -23,9 +23,10 @@ namespace tetracone::experiments::subject_lines {
 /// - Of two bodies: whether they collide, their relation, whether they are within a distance, the distance, and their
 ///   first contact in a linear motion.
 /// - Of one body: where a point is, and where a ray first meets its surface.
-enum class Kind { collide, relation, within, distance, inside, ray, first_contact };
-inline constexpr std::array all_kinds = {Kind::collide, Kind::relation, Kind::within,       Kind::distance,
-                                         Kind::inside,  Kind::ray,      Kind::first_contact};
+/// - Of two triangles, which are no bodies: whether they share a point.
+enum class Kind { collide, relation, within, distance, inside, ray, first_contact, triangles };
+inline constexpr std::array all_kinds = {Kind::collide, Kind::relation, Kind::within,        Kind::distance,
+                                         Kind::inside,  Kind::ray,      Kind::first_contact, Kind::triangles};
 
 /// Returns the name that hellos and lines have for it; that of `collide` is a question's instead.
 const char* to_string(Kind kind);
@@ -85,6 +86,9 @@ std::string first_contact(std::uint64_t ask, std::uint64_t a, std::uint64_t b,
 /// Asks about a body in its own coordinates.
 std::string inside(std::uint64_t ask, std::uint64_t a, const kernel::Vertex& point);
 std::string ray(std::uint64_t ask, std::uint64_t a, const kernel::Vertex& origin, const kernel::Vertex& direction);
+
+/// An ask for the triangles v1 v2 v3 and p q r, placed exactly.
+std::string triangles(std::uint64_t ask, const verify::Predicate_case& c);
 
 /// Returns one line of several asks, each a line of `ask`.
 std::string batch(const std::vector<std::string>& asks);

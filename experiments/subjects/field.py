@@ -58,7 +58,7 @@ DEBIAN = {"gts": ("gts.h", "libgts-dev", 20, "pkg-config --cflags --libs gts"),
 OF_NPM = "node "
 NOT_NEAR, EXACTLY = 9999, -9999  # of the table `tally`
 # The levels of campaigns that ask the other kinds of question, and the kinds that hellos name for them.
-OTHER_LEVELS = {"points": {"inside"}, "rays": {"ray"}, "distances": {"within", "distance"}, "motions": {"first contact"}}
+OTHER_LEVELS = {"points": {"inside"}, "rays": {"ray"}, "distances": {"within", "distance"}, "motions": {"first contact"}, "predicate": {"triangles"}}
 
 
 def run(words, **options):

@@ -141,6 +141,9 @@ def placed(body, pose):
 
 
 def answer(m):
+    if m["question"] == "triangles":
+        s, t = ([tuple(numbers(p)) for p in m[key]] for key in ("triangle_a", "triangle_b"))
+        return {"answer": int(triangle_distance(s, t) == 0)}
     body, question = bodies[m["a"]], m["question"]
     if any("triangles" not in bodies[m[k]] for k in "ab" if k in m):
         return {"answer": None}
@@ -171,7 +174,7 @@ def answer(m):
 
 bodies = {}
 print(json.dumps({"hello": 1, "name": "Questions", "version": "1", "precision": "float64", "bodies": "closed",
-                  "questions": ["relation", "within", "distance", "inside", "ray", "first contact"]}), flush=True)
+                  "questions": ["relation", "within", "distance", "inside", "ray", "first contact", "triangles"]}), flush=True)
 for line in sys.stdin:
     message = json.loads(line)
     if "model" in message:

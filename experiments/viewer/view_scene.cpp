@@ -48,6 +48,7 @@ std::pair<Polyhedron, Polyhedron> bodies_of(Predicate predicate, const verify::P
     case Predicate::orientation: return {simplex({v[1], v[2], v[3]}), simplex({c.p})};
     case Predicate::segment_triangle: return {simplex({v[1], v[2], v[3]}), simplex({c.p, c.q})};
     case Predicate::classification: return {simplex({v[0], v[1], v[2], v[3]}), simplex({c.p, c.q, c.r})};
+    case Predicate::triangle_triangle: return {simplex({v[1], v[2], v[3]}), simplex({c.p, c.q, c.r})};
     case Predicate::tetra_cone:
     case Predicate::tetrahedron:
     case Predicate::solid: break;

@@ -205,8 +205,9 @@ class Level_judge {
     }
     if constexpr (requires { running.failure(); }) {
       if (told.outcome == Outcome::failed) found_.add_failure(subject.name, page_.name(question), k, running.failure());
-      if (told.outcome == Outcome::not_asked && !subject.own && k < kept_one_by_one)
-        found_.add_declined(c.origin, subject.name, page_.name(question), running.why_not_asked());
+      if constexpr (requires { running.why_not_asked(); })
+        if (told.outcome == Outcome::not_asked && !subject.own && k < kept_one_by_one)
+          found_.add_declined(c.origin, subject.name, page_.name(question), running.why_not_asked());
       found_.add_skipped(subject.name, running.skipped_lines());
     }
     return told;

@@ -28,17 +28,13 @@ class Predicate_page : public Page<levels::Predicates> {
     return truth ? Truths{{name(predicate), *truth > 0}} : Truths();
   }
 
-  Told ask(const Predicate_subject& subject, const Predicate_case& c, Predicate predicate) const
-  {
-    const auto [value, ns] = timed([&] { return subject.answer(predicate, c); });
-    return value ? Told{Outcome::yes, *value, Spent{0, ns}} : Told();
-  }
-
   Statements statements(const Answered& a) const
   {
-    if (a.told.outcome == Outcome::not_asked) return {};  // another predicate's formulation
-    return {{name(a.question), *truths_[std::size_t(a.question)], a.told.answer, distance(a.question, a.c),
-             has_fractions(a.c)}};
+    const bool can_decline = a.subject.start && a.question == Predicate::triangle_triangle;
+    if (a.told.outcome == Outcome::not_asked && !can_decline) return {};  // another predicate's formulation
+    const auto value = a.told.outcome == Outcome::yes ? std::optional(a.told.answer) : std::nullopt;
+    return {
+        {name(a.question), *truths_[std::size_t(a.question)], value, distance(a.question, a.c), has_fractions(a.c)}};
   }
 
  private:

@@ -32,21 +32,22 @@ enum class Predicate {
   tetrahedron,       ///< 1 when p is in the closed tetrahedron v0 v1 v2 v3 (in one plane: not asked)
   segment_triangle,  ///< 1 when the closed segment pq and the closed triangle v1 v2 v3 share a point; either may be
                      ///< degenerate
-  solid,          ///< where p is in the solid bounded by the faces of v0 v1 v2 v3, by the covering whose origin is q:
-                  ///< 1 inside, 0 on the surface, -1 outside
-  classification  ///< 1 when the closed triangle p q r meets the closed cone from v0 through v1, v2, v3. Then JS08
-                  ///< classifies the tetrahedron v0 p q r in it. It is not asked with v0 in the plane of either
-                  ///< triangle.
+  solid,           ///< where p is in the solid bounded by the faces of v0 v1 v2 v3, by the covering whose origin is q:
+                   ///< 1 inside, 0 on the surface, -1 outside
+  classification,  ///< 1 when the closed triangle p q r meets the closed cone from v0 through v1, v2, v3. Then JS08
+                   ///< classifies the tetrahedron v0 p q r in it. It is not asked with v0 in the plane of either
+                   ///< triangle.
+  triangle_triangle  ///< 1 when the closed triangles v1 v2 v3 and p q r share a point; either may be degenerate
 };
-inline constexpr std::array all_predicates = {Predicate::orientation, Predicate::tetra_cone,
-                                              Predicate::tetrahedron, Predicate::segment_triangle,
-                                              Predicate::solid,       Predicate::classification};
+inline constexpr std::array all_predicates = {
+    Predicate::orientation, Predicate::tetra_cone,     Predicate::tetrahedron,      Predicate::segment_triangle,
+    Predicate::solid,       Predicate::classification, Predicate::triangle_triangle};
 
 inline const char* to_string(Case_kind level) { return level == Case_kind::predicate ? "predicate" : "object"; }
 inline const char* to_string(Predicate predicate)
 {
-  constexpr std::array names = {"orientation",      "tetra-cone", "tetrahedron",
-                                "segment-triangle", "solid",      "classification"};
+  constexpr std::array names = {"orientation", "tetra-cone",     "tetrahedron",      "segment-triangle",
+                                "solid",       "classification", "triangle-triangle"};
   return names[static_cast<std::size_t>(predicate)];
 }
 

@@ -13,6 +13,16 @@ Case_numbers numbers_of(const Predicate_case& c)
   return {{{{c.v.begin(), c.v.end()}, {c.p, c.q, c.r}}}, {c.pose_a, c.pose_b}};
 }
 
+std::array<std::array<kernel::Number_point<kernel::Rational>, 3>, 2> placed_triangles(const Predicate_case& c)
+{
+  const auto placed = [](const std::array<kernel::Vertex, 3>& corners, const kernel::Pose& pose) {
+    std::array<kernel::Rational, 12> m;
+    for (int k = 0; k < 12; ++k) m[std::size_t(k)] = pose.exact(k);
+    return std::array{kernel::image(corners[0], m), kernel::image(corners[1], m), kernel::image(corners[2], m)};
+  };
+  return {placed({c.v[1], c.v[2], c.v[3]}, c.pose_a), placed({c.p, c.q, c.r}, c.pose_b)};
+}
+
 Object_case with_numbers(const Object_case& c, const Case_numbers& numbers)
 {
   const auto body = [](const std::shared_ptr<const covering::Polyhedron>& old,

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_VERIFY_CASES_CASE_NUMBERS_H
 #define TETRACONE_VERIFY_CASES_CASE_NUMBERS_H
 
+#include "tetracone/kernel/contact/corner_point.h"
 #include "verify/cases/case.h"
 
 #include <array>
@@ -22,6 +23,9 @@ Case_numbers numbers_of(const Predicate_case& c);
 /// answers of the result are unknown.
 Object_case with_numbers(const Object_case& c, const Case_numbers& numbers);
 Predicate_case with_numbers(const Predicate_case& c, const Case_numbers& numbers);
+
+/// Returns the exact images of the triangles v1 v2 v3 and p q r.
+std::array<std::array<kernel::Number_point<kernel::Rational>, 3>, 2> placed_triangles(const Predicate_case& c);
 
 /// Returns the length of a number. It is its binary digits from the first to the last one that is set, plus the digits
 /// of the last one's exponent. It is 0 for 0, 1 for 1, 2 for 3 and for 1/2; for a fraction, the digits of both parts.

@@ -113,6 +113,8 @@ std::vector<Quadruple> planes_of(Predicate predicate)
               {v0, v3, v1, p},  {v0, v3, v1, q}, {v0, v3, v1, r}, {v0, v1, v2, p}, {v0, v1, v2, q},
               {v0, v1, v2, r},  {v0, p, q, v1},  {v0, p, q, v2},  {v0, p, q, v3},  {v0, q, r, v1},
               {v0, q, r, v2},   {v0, q, r, v3},  {v0, r, p, v1},  {v0, r, p, v2},  {v0, r, p, v3}};
+    case Predicate::triangle_triangle:
+      return {{v1, v2, v3, p}, {v1, v2, v3, q}, {v1, v2, v3, r}, {p, q, r, v1}, {p, q, r, v2}, {p, q, r, v3}};
   }
   return {};
 }
@@ -120,8 +122,13 @@ std::vector<Quadruple> planes_of(Predicate predicate)
 /// Two lines, each through two points.
 std::vector<Quadruple> lines_of(Predicate predicate)
 {
-  if (predicate != Predicate::segment_triangle) return {};
-  return {{p, q, v1, v2}, {p, q, v2, v3}, {p, q, v3, v1}};
+  switch (predicate) {
+    case Predicate::segment_triangle: return {{p, q, v1, v2}, {p, q, v2, v3}, {p, q, v3, v1}};
+    case Predicate::triangle_triangle:
+      return {{p, q, v1, v2}, {p, q, v2, v3}, {p, q, v3, v1}, {q, r, v1, v2}, {q, r, v2, v3},
+              {q, r, v3, v1}, {r, p, v1, v2}, {r, p, v2, v3}, {r, p, v3, v1}};
+    default: return {};
+  }
 }
 
 /// Three corners that span the face's plane; the first corner thrice where they are all on one line.

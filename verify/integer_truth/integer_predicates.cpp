@@ -196,6 +196,7 @@ std::optional<int> answer(Predicate predicate, const Predicate_case& c)
     case Predicate::classification:
       if (orientation(v[0], v[1], v[2], v[3]) == 0 || orientation(v[0], p, q, r) == 0) return std::nullopt;
       return hull_meets_cone({p, q, r}, v[0], {v[1], v[2], v[3]});
+    case Predicate::triangle_triangle: return hulls_meet({p, q, r}, {v[1], v[2], v[3]});
     case Predicate::solid: break;
   }
   return std::nullopt;

@@ -44,7 +44,9 @@ bool is_asked(Predicate predicate, const Predicate_case& c)
 /// answers.
 Answer ask(const Trial& t, const Predicate_case& c)
 {
-  return is_asked(t.question, c) ? t.subject.answer(t.question, c) : std::nullopt;
+  if (!is_asked(t.question, c)) return std::nullopt;
+  const auto told = t.subject(c, t.question);
+  return told.outcome == Outcome::yes ? Answer(told.answer) : std::nullopt;
 }
 
 /// Returns the answer after an affine map of all points: an orientation times `sign`, any other answer unchanged.
@@ -228,7 +230,8 @@ Verdict split(const Trial& t)
     case Predicate::segment_triangle: return of_b ? halves(t, p, q) : halves(t, v1, v2);
     case Predicate::tetrahedron: return halves(t, v0, v1);
     case Predicate::tetra_cone: return halves(t, v1, v2);
-    case Predicate::classification: return of_b ? halves(t, p, q) : halves(t, v1, v2);
+    case Predicate::classification:
+    case Predicate::triangle_triangle: return of_b ? halves(t, p, q) : halves(t, v1, v2);
     default: return Verdict::not_applicable;
   }
 }
@@ -240,7 +243,7 @@ Verdict order(const Trial& t)
   const int first = t.question == Predicate::tetrahedron || t.question == Predicate::solid ? 0 : 1;
   Predicate_case twin = t.c;
   for (int k = first; k < 3; ++k) std::swap(twin.v[k], twin.v[k + one_of(t.random, 4 - k)]);
-  if (t.question == Predicate::classification) {
+  if (t.question == Predicate::classification || t.question == Predicate::triangle_triangle) {
     std::swap(twin.p, *std::array{&twin.p, &twin.q, &twin.r}[one_of(t.random, 3)]);
     if (one_of(t.random, 2) == 0) std::swap(twin.q, twin.r);
   }
@@ -263,7 +266,7 @@ Verdict apex(const Trial& t)
 
 Verdict stages(const Trial& t)
 {
-  if (t.question != Predicate::orientation || !t.subject.name.starts_with("adaptive")) return Verdict::not_applicable;
+  if (t.question != Predicate::orientation || !t.subject.name().starts_with("adaptive")) return Verdict::not_applicable;
   std::array<Adaptive::Point_3, 7> x;
   const auto points = points_of(t.c);
   for (int k = 0; k < 7; ++k) {

@@ -17,7 +17,7 @@
 namespace tetracone::verify {
 
 /// Predicates on seven points.
-using Predicate_level = Level<Predicate_case, int, const Predicate_subject, Predicate>;
+using Predicate_level = Level<Predicate_case, int, Running_predicates, Predicate>;
 std::span<const Predicate_level::Relation> predicate_relations();
 
 /// Two bodies: whether they collide.

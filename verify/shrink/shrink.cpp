@@ -52,7 +52,9 @@ bool is_degenerate(Predicate predicate, const Predicate_case& c)
     return CGAL::collinear(point(p), point(q), point(r));
   };
   if (predicate == Predicate::segment_triangle) return c.p == c.q || on_line(c.v[1], c.v[2], c.v[3]);
-  return predicate == Predicate::classification && on_line(c.p, c.q, c.r);
+  if (predicate == Predicate::triangle_triangle && on_line(c.v[1], c.v[2], c.v[3])) return true;
+  return (predicate == Predicate::classification || predicate == Predicate::triangle_triangle) &&
+         on_line(c.p, c.q, c.r);
 }
 
 bool is_flat(const Case_numbers& numbers)

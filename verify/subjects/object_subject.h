@@ -21,12 +21,6 @@
 
 namespace tetracone::verify {
 
-/// The traces of a failed subject.
-struct Failure {
-  std::string how;   ///< "status 3", "signal 11", "silent", "wrong line" or "exception"
-  std::string said;  ///< the last line of its standard error, and the fault in its answer's line
-};
-
 /// All pairs of an edge of one body and a face of the other that share a point, sorted.
 using Feature_pairs = std::vector<kernel::Feature_pair>;
 

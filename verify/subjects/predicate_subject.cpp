@@ -4,6 +4,7 @@
 #include "tetracone/kernel/predicate/frame.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/tetrahedron.h"
+#include "tetracone/kernel/predicate/triangle_triangle.h"
 #include "tetracone/tetratree/door/kernel_list.h"
 #include "tetracone/tetratree/paper/classification.h"
 #include "verify/subjects/segment_triangle_formulations.h"
@@ -84,6 +85,7 @@ std::optional<int> ask(Predicate predicate, const Predicate_case& c)
       return kernel::segment_triangle<K>(x.p, x.q, v[1], v[2], v[3]) != kernel::Contact::none;
     case Predicate::solid: return locate(x);
     case Predicate::classification: return tetratree::classify<K>(cone(x), x.p, x.q, x.r) != tetratree::Classified::no;
+    case Predicate::triangle_triangle: return kernel::triangles_meet<K>({&v[1], &v[2], &v[3]}, {&x.p, &x.q, &x.r});
   }
   return std::nullopt;
 }
@@ -156,7 +158,27 @@ std::optional<int> cgal(Predicate predicate, const Predicate_case& c)
   }
 }
 
+/// A method of our own process, which keeps nothing.
+class Called : public Running_predicates {
+ public:
+  explicit Called(const Predicate_subject& subject) : Running_predicates(subject.name), answer_(subject.answer) {}
+
+  Told<int> operator()(const Predicate_case& c, Predicate predicate) override
+  {
+    const auto [value, ns] = timed([&] { return answer_(predicate, c); });
+    return value ? Told<int>{Outcome::yes, *value, Spent{0, ns}} : Told<int>();
+  }
+
+ private:
+  std::optional<int> (*answer_)(Predicate, const Predicate_case&);
+};
+
 }  // namespace
+
+std::unique_ptr<Running_predicates> Predicate_subject::make() const
+{
+  return start ? start() : std::make_unique<Called>(*this);
+}
 
 const std::vector<Predicate_subject>& predicate_subjects()
 {

@@ -25,6 +25,12 @@ enum class Outcome {
   failed      ///< crash, hang, exception
 };
 
+/// The traces of a failed subject.
+struct Failure {
+  std::string how;   ///< "status 3", "signal 11", "silent", "wrong line" or "exception"
+  std::string said;  ///< the last line of its standard error, and the fault in its answer's line
+};
+
 /// The answer of a subject whose outcome says all.
 struct Nothing {};
 

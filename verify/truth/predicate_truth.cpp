@@ -147,6 +147,7 @@ std::optional<int> true_answer(Predicate predicate, const Predicate_case& c)
     case Predicate::classification:
       if (coplanar(x) || CGAL::coplanar(x.v[0], x.p, x.q, x.r)) return std::nullopt;
       return triangle_meets_cone(x);
+    case Predicate::triangle_triangle: return Simplex({x.v[1], x.v[2], x.v[3]}).meets(Simplex({x.p, x.q, x.r}));
   }
   return std::nullopt;
 }

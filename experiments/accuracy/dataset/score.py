@@ -23,6 +23,8 @@ def truths(folder):
     for row in dataset.rows("predicates.jsonl", folder):
         name = "solid-predicate" if row["predicate"] == "solid" else row["predicate"]
         found[row["id"], name] = row["family"], row["truth"]
+    for row in dataset.rows("triangles.jsonl", folder):
+        found[row["id"], "triangle-triangle"] = row["family"], row["truth"]
     return found
 
 

@@ -15,6 +15,9 @@ Case = namedtuple("Case", "id family index parameter a b pose_a pose_b surface s
 #: points: seven tuples of three doubles, v0 v1 v2 v3 under pose a and p q r under pose b. truth: -1, 0 or 1.
 Predicate = namedtuple("Predicate", "id family index parameter predicate points pose_a pose_b truth log2_rho log2_ulps")
 
+#: s, t: the corners of a triangle each, three tuples of three fractions, exact. truth: 1 where they share a point, else 0.
+Triangles = namedtuple("Triangles", "id family index parameter s t truth log2_rho log2_ulps")
+
 
 class Error(Exception):
     """A file that is not as it was written: one line."""
@@ -59,6 +62,14 @@ def predicates(folder=FOLDER):
         points = tuple(tuple(row[name + axis] for axis in "xyz") for name in ("v0", "v1", "v2", "v3", "p", "q", "r"))
         yield Predicate(row["id"], row["family"], row["index"], float(row["parameter"]), row["predicate"], points, pose(row, "a"),
                         pose(row, "b"), row["truth"], float(row["log2_rho"]), float(row["log2_ulps"]))
+
+
+def triangles(folder=FOLDER):
+    """All pairs of triangles, in order."""
+    for row in rows("triangles.jsonl", folder):
+        s, t = (tuple(tuple(Fraction(row[f"{name}{k}{axis}"]) for axis in "xyz") for k in range(3)) for name in "st")
+        yield Triangles(row["id"], row["family"], row["index"], float(row["parameter"]), s, t, row["truth"], float(row["log2_rho"]),
+                        float(row["log2_ulps"]))
 
 
 def about(folder=FOLDER):

@@ -46,7 +46,7 @@ class Files(unittest.TestCase):
             return list(csv.DictReader(file))
 
     def test_the_csv_has_the_rows_of_the_json_lines(self):
-        for name in ("cases", "predicates"):
+        for name in ("cases", "predicates", "triangles"):
             rows = list(dataset.rows(f"{name}.jsonl", FOLDER))
             table = self.table(f"{name}.csv")
             self.assertEqual([list(row) for row in rows], [list(row) for row in table])
@@ -118,6 +118,23 @@ class Files(unittest.TestCase):
             seen.add(case.truth)
         self.assertEqual(seen, {-1, 0, 1})
 
+    def test_triangles_are_those_of_the_seven_points_placed(self):
+        points = {case.id: case for case in dataset.predicates() if case.predicate == "orientation"}
+        truths, fractions = set(), 0
+        for pair in dataset.triangles():
+            case = points.pop(pair.id)
+            for corners, placed, pose in ((pair.s, case.points[1:4], case.pose_a), (pair.t, case.points[4:], case.pose_b)):
+                self.assertEqual([list(p) for p in corners], [self.placed(p, pose) for p in placed], pair.id)
+                fractions += any(x != Fraction(float(x)) for p in corners for x in p)
+            boxes = [[(min(p[k] for p in corners), max(p[k] for p in corners)) for k in range(3)] for corners in (pair.s, pair.t)]
+            if any(low > high for (low, _), (_, high) in [*zip(*boxes), *zip(*boxes[::-1])]):
+                self.assertEqual(pair.truth, 0, pair.id)
+            if set(pair.s) & set(pair.t):
+                self.assertEqual(pair.truth, 1, pair.id)
+            truths.add(pair.truth)
+        self.assertEqual((points, truths), ({}, {0, 1}))
+        self.assertGreater(fractions, 0)
+
     def placed(self, point, pose):
         return [sum(row[k] * Fraction(point[k]) for k in range(3)) + row[3] for row in pose]
 
@@ -174,6 +191,7 @@ class Files(unittest.TestCase):
         for rows, line in (([("none-0", "solid", 1)], ":2: no case 'none-0' with the question 'solid'; expected one of the dataset"),
                            ([(case, "solid", 1), (case, "solid", 1)], f":3: '{case}', 'solid' once more; expected one answer"),
                            ([(case, "solid", -1)], ":2: the answer '-1'; expected 0, 1, failed or declined"),
+                           ([(case, "triangle-triangle", -1)], ":2: the answer '-1'; expected 0, 1, failed or declined"),
                            ([(case, "orientation", 2)], ":2: the answer '2'; expected -1, 0, 1, failed or declined"),
                            ([(case, "solid")], ":2: 2 fields; expected id,question,answer")):
             name = self.answers(rows)

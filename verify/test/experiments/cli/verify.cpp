@@ -10,12 +10,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_verify)
@@ -200,6 +202,26 @@ BOOST_AUTO_TEST_CASE(the_table_of_errors_has_the_columns_that_others_rely_on)
       table.starts_with("level,family,subject,question,n,false_positives,false_negatives,failures\nfeatures,"
                         "random,double brute,features,4,"));
   BOOST_TEST(contains(table, "\nobject,random,double brute,solid,4,"));
+}
+
+BOOST_AUTO_TEST_CASE(a_program_is_asked_of_triangles_and_its_shards_merge_to_the_whole)
+{
+  const Database_file whole("triangles"), first("triangles_0"), second("triangles_1"), merged("triangles_merged");
+  const std::string words =
+      " --level predicate --cases 300 --family face-on-face --family random --subject mine --subject-command "
+      "'mine=" TETRACONE_PYTHON " " TETRACONE_SOURCE_DIR "/experiments/subjects/triangles.py'";
+  for (const auto& [db, shard] : {std::pair(&whole, "0/1"), {&first, "0/2"}, {&second, "1/2"}}) {
+    const Run ran = run("verify --db " + db->path + words + " --shard " + shard);
+    BOOST_TEST(ran.status == 0, ran.error);
+  }
+  BOOST_TEST(run("merge " + merged.path + " " + first.path + " " + second.path).status == 0);
+  BOOST_TEST((tables(merged.path) == tables(whole.path)));
+  // It rounds: it is right where nothing is degenerate, and wrong about faces in one plane. It is asked nothing else.
+  const std::string table = run("report " + whole.path + " --table errors").out;
+  BOOST_TEST(contains(table, "\npredicate,face-on-face,mine,triangle-triangle,300,"), table);
+  BOOST_TEST(!contains(table, "face-on-face,mine,triangle-triangle,300,0,0,"), table);
+  BOOST_TEST(contains(table, "\npredicate,random,mine,triangle-triangle,300,0,0,0\n"), table);
+  BOOST_TEST(std::ranges::count(table, '\n') == 3, table);
 }
 
 BOOST_AUTO_TEST_CASE(families_are_described_where_they_are_named)

@@ -288,7 +288,7 @@ BOOST_AUTO_TEST_CASE(a_program_is_asked_the_kinds_of_question_that_its_hello_nam
   auto subject = experiments::subject_command("mine", questions, 10s, experiments::require_command(questions, 10s));
   std::ostringstream out;
   BOOST_TEST(experiments::check_subject(questions, 10s, out), out.str());
-  for (const char* kind : {"relation", "within", "distance", "inside", "ray", "first contact"})
+  for (const char* kind : {"relation", "within", "distance", "inside", "ray", "first contact", "triangles"})
     BOOST_TEST(out.str().find(std::string("takes  ") + kind) != std::string::npos, kind);
 
   BOOST_TEST(experiments::tells_distances(subject));
@@ -335,11 +335,27 @@ BOOST_AUTO_TEST_CASE(a_program_is_asked_the_kinds_of_question_that_its_hello_nam
   moving.motion_b[1][1] = 1;  // it turns
   BOOST_TEST(((*motions)(moving, Question::surface).outcome == Outcome::not_asked));
 
+  verify::Predicate_case pair{{kernel::Vertex{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
+                              {1, 1, 0},
+                              {2, 1, 1},
+                              {1, 2, 1},
+                              {},
+                              Pose::translation(0, 0, -0.5),
+                              {}};
+  const auto triangles = experiments::triangle_command(subject, 10s)->make();
+  const auto of_pair = [&](verify::Predicate predicate) { return (*triangles)(pair, predicate); };
+  const auto crossing = of_pair(verify::Predicate::triangle_triangle);
+  BOOST_TEST((crossing.outcome == Outcome::yes && crossing.answer == 1));
+  pair.pose_b = Pose::translation(0, 0, 0.5);
+  const auto above = of_pair(verify::Predicate::triangle_triangle);
+  BOOST_TEST((above.outcome == Outcome::yes && above.answer == 0));
+  BOOST_TEST((of_pair(verify::Predicate::segment_triangle).outcome == Outcome::not_asked));
+
   // A program is asked of no other kind unless it names it.
   subject.hello = R"({"hello": 1, "questions": ["solid", "within"]})";
   BOOST_TEST(experiments::tells_distances(subject));
   BOOST_TEST((!experiments::point_command(subject, 10s) && !experiments::ray_command(subject, 10s) &&
-              !experiments::motion_command(subject, 10s)));
+              !experiments::motion_command(subject, 10s) && !experiments::triangle_command(subject, 10s)));
   subject.hello = "";
   BOOST_TEST(!experiments::tells_distances(subject));
 }
@@ -360,6 +376,32 @@ BOOST_AUTO_TEST_CASE(answers_of_each_kind_have_their_form)
   BOOST_TEST((outcome(Kind::ray, "1, \"t\": 7") == Outcome::yes));
   BOOST_TEST(!outcome(Kind::first_contact, "1, \"t\": 7").has_value());
   BOOST_TEST(!outcome(Kind::ray, "1").has_value());
+}
+
+BOOST_AUTO_TEST_CASE(triangles_are_told_placed_and_a_failure_about_them_is_one)
+{
+  verify::Predicate_case c{
+      {kernel::Vertex{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {1, 1, 0.1}, {2, 1, 1}, {}, {}, {}, {}};
+  c.pose_b = Pose::from_quaternion(1, 0, 0, 0, {0, 0, kernel::Rational(1, 3)});
+  BOOST_TEST(experiments::subject_lines::triangles(5, c) ==
+             "{\"ask\":5,\"triangle_a\":[[0,0,0],[4,0,0],[0,4,0]],\"triangle_b\":[[1,1,\"" +
+                 kernel::to_string(kernel::Rational(0.1) + kernel::Rational(1, 3)) +
+                 "\"],[2,1,\"4/3\"],[0,0,\"1/3\"]],\"question\":\"triangles\"}\n");
+  // It declines the first question, and ends at the second one.
+  const Temporary_file ends("ends.py", R"(
+import json, sys
+print(json.dumps({"hello": 1, "questions": ["triangles"]}), flush=True)
+for asked, line in enumerate(sys.stdin):
+    if asked: sys.exit(3)
+    print(json.dumps({"ask": json.loads(line)["ask"], "answer": None}), flush=True)
+)");
+  const std::string words = "exec '" TETRACONE_PYTHON "' '" + ends.path().native() + "'";
+  const auto subject = experiments::subject_command("mine", words, 10s, experiments::require_command(words, 10s));
+  const auto running = experiments::triangle_command(subject, 10s)->make();
+  using verify::Predicate;
+  BOOST_TEST(((*running)(c, Predicate::triangle_triangle).outcome == Outcome::not_asked));
+  BOOST_TEST(((*running)(c, Predicate::triangle_triangle).outcome == Outcome::failed));
+  BOOST_TEST(running->failure().how == "status 3");
 }
 
 BOOST_AUTO_TEST_CASE(a_program_that_is_too_slow_is_not_asked_larger_bodies)

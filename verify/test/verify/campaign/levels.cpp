@@ -214,6 +214,35 @@ BOOST_AUTO_TEST_CASE(exact_subjects_are_right_about_every_family)
   check_exact<levels::Rays>(8);
 }
 
+BOOST_AUTO_TEST_CASE(a_program_is_counted_for_the_triangles_that_it_is_asked)
+{
+  /// Declines, fails and says yes in turn.
+  class Takes_turns : public Running_predicates {
+   public:
+    Takes_turns() : Running_predicates("turns") {}
+    Told<int> operator()(const Predicate_case& c, Predicate predicate) override
+    {
+      if (predicate != Predicate::triangle_triangle || c.origin.index % 3 == 0) return {};
+      if (c.origin.index % 3 == 1) return {Outcome::failed};
+      return {Outcome::yes, 1};
+    }
+    Failure failure() const override { return {"status 3", "no idea"}; }
+  };
+  const Predicate_subject turns{"turns", false, "", nullptr, [] { return std::make_unique<Takes_turns>(); }};
+  const auto all = levels::Predicates::families();
+  const auto apart = std::ranges::find(all, "nested", [](const Family* family) { return family->name; });
+  BOOST_TEST_REQUIRE((apart != all.end()));
+  Rows<levels::Predicates> rows({*apart}, {turns});
+  rows.ask(12);
+  for (const char* question : {"%", "triangle-triangle"}) {
+    BOOST_TEST(rows.sum("n", "turns", question) == 8);
+    BOOST_TEST(rows.sum("failures", "turns", question) == 4);
+    BOOST_TEST(rows.sum("not_asked", "turns", question) == 4);
+    BOOST_TEST(rows.sum("false_positives", "turns", question) == 4);
+  }
+  BOOST_TEST(rows.number("SELECT n FROM failure WHERE how = 'status 3' AND question = 'triangle-triangle'") == 4);
+}
+
 BOOST_AUTO_TEST_CASE(what_rounding_the_input_costs_is_parted_from_what_the_subject_does)
 {
   /// Exact about the input in floats.

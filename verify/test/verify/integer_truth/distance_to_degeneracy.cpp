@@ -106,6 +106,7 @@ BOOST_AUTO_TEST_CASE(each_predicate_has_its_determinants_and_no_others)
       case Predicate::tetra_cone: return among(0, 4) && four[0] == 0;
       case Predicate::tetrahedron: return among(0, 4);
       case Predicate::segment_triangle: return among(1, 5);
+      case Predicate::triangle_triangle: return among(1, 6);
       case Predicate::solid: return among(0, 5) && four[3] > 3;
       default: return four[0] == 0;
     }

@@ -167,6 +167,7 @@ BOOST_AUTO_TEST_CASE(every_family_has_both_answers_of_every_predicate)
   // The answers that a family has by its nature, and the predicates that it is not asked.
   const std::map<std::pair<std::string, Predicate>, std::string> of_one_answer = {
       {{"nested", Predicate::segment_triangle}, "no element of the one touches one of the other"},
+      {{"nested", Predicate::triangle_triangle}, "no element of the one touches one of the other"},
       {{"nested-touching", Predicate::classification},
        "B's triangle is inside A, or its plane has a point of A and all around it in B"},
       {{"degenerate-face", Predicate::tetra_cone}, "a face without area makes the tetrahedron flat"},

@@ -100,12 +100,13 @@ Counts of_predicates(const Predicate_subject& subject, int cases, std::uint64_t 
 {
   Counts counts;
   Random random(seed);
+  const auto running = subject.make();
   for (int k = 0; k < cases; ++k) {
     const Predicate_case c = any_points(seed, std::uint64_t(k));
     for (const auto& relation : predicate_relations())
       for (const Predicate predicate : all_predicates)
         if (only.empty() || relation.name == only)
-          count(counts, relation.name, relation.check({c, predicate, subject, 0, random}));
+          count(counts, relation.name, relation.check({c, predicate, *running, 0, random}));
   }
   return counts;
 }
@@ -327,6 +328,10 @@ BOOST_AUTO_TEST_CASE(planted_errors_of_predicates_are_caught_by_the_relation_mea
     return right(predicate, twin);
   };
   BOOST_TEST(violations(two_sides_of_three, "R8 order") > 0);
+  const auto third_corner_is_forgotten = [](Predicate predicate, Case c) -> std::optional<int> {
+    return right(predicate == Predicate::triangle_triangle ? Predicate::segment_triangle : predicate, c);
+  };
+  BOOST_TEST(violations(third_corner_is_forgotten, "R8 order") > 0);
   const auto never_at_its_origin = [](Predicate predicate, Case c) -> std::optional<int> {
     if (predicate == Predicate::solid && c.p == c.q) return 0;
     return right(predicate, c);

@@ -104,6 +104,22 @@ BOOST_AUTO_TEST_CASE(tetrahedra_and_solids_are_closed)
   }
 }
 
+BOOST_AUTO_TEST_CASE(triangles_are_closed_and_may_be_segments_and_points)
+{
+  // v1 v2 v3 is the corner's face x + y + z = 2.
+  const auto meets = [](const Vertex& p, const Vertex& q, const Vertex& r) {
+    return both(Predicate::triangle_triangle, corner(p, q, r)).value();
+  };
+  BOOST_TEST(meets({0, 0, 0}, {3, 0, 0.25}, {0, 3, 0.25}) == 1);           // across
+  BOOST_TEST(meets({2, 0, 0}, {3, 0, 1}, {3, 0, -1}) == 1);                // in a corner
+  BOOST_TEST(meets({2 + 0x1p-51, 0, 0}, {3, 0, 1}, {3, 0, -1}) == 0);      // and next to it
+  BOOST_TEST(meets({0.5, 0.5, 1}, {0.5, 1, 0.5}, {1, 0.5, 0.5}) == 1);     // inside, in its plane
+  BOOST_TEST(meets({2, 1, -1}, {3, 0, -1}, {2, 2, -2}) == 0);              // beside, in its plane
+  BOOST_TEST(meets({0, 0, 0}, {1, 1, 1}, {2, 2, 2}) == 1);                 // a segment through it
+  BOOST_TEST(meets({1, 1, 0}, {1, 1, 0}, {1, 1, 0}) == 1);                 // a point of an edge
+  BOOST_TEST(meets({1, 1, 5e-324}, {1, 1, 5e-324}, {1, 1, 5e-324}) == 0);  // and one above it
+}
+
 BOOST_AUTO_TEST_CASE(the_truths_agree_on_a_small_grid)
 {
   // So small that points coincide, and all kinds of degenerate positions come often.
@@ -119,7 +135,8 @@ BOOST_AUTO_TEST_CASE(the_truths_agree_on_a_small_grid)
   BOOST_TEST(seen.at(Predicate::solid).at("1") > 10);
   for (const Predicate predicate : {Predicate::tetra_cone, Predicate::tetrahedron, Predicate::classification})
     for (const char* answer : {"0", "1", "not asked"}) BOOST_TEST(seen.at(predicate).at(answer) > 100);
-  for (const char* answer : {"0", "1"}) BOOST_TEST(seen.at(Predicate::segment_triangle).at(answer) > 500);
+  for (const Predicate predicate : {Predicate::segment_triangle, Predicate::triangle_triangle})
+    for (const char* answer : {"0", "1"}) BOOST_TEST(seen.at(predicate).at(answer) > 500);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
