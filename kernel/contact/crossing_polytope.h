@@ -95,8 +95,8 @@ class Crossing_polytope {
     return true;
   }
 
-  /// Calls what(normal, limit, axis, sign) for each half-space whose plane may cut the box. The numbers are rounded. The
-  /// axis and its sign tell the exact ones.
+  /// Calls what(normal, limit, axis, sign) for each half-space whose plane may cut the box. The numbers are rounded;
+  /// the axis and its sign tell the exact ones.
   template <class What>
   void for_planes(const Translation_box& box, const What& what) const
   {
