@@ -23,7 +23,8 @@ class Bvh8_contacts {
         faces_b_(polyhedron_b, model_b.covering()),
         pairs_(faces_a_, faces_b_),
         one_element_a_(is_one_element(a, faces_a_)),
-        one_element_b_(is_one_element(b, faces_b_))
+        one_element_b_(is_one_element(b, faces_b_)),
+        has_polygons_(has_polygon(polyhedron_a) || has_polygon(polyhedron_b))
   {}
 
   /// Returns the common pieces of pairs of faces, sorted by faces. Requires det M != 0 of both poses, and an exact
@@ -31,6 +32,9 @@ class Bvh8_contacts {
   Found_contacts contacts(const Pose& pose_a, const Pose& pose_b) requires(kernel::Kernel_traits<K>::exact_motion)
   {
     Found_contacts found;
+    // A pair of faces that are not triangles is decided in rationals, which takes longer than to know that none meets.
+    if (has_polygons_ && collision_.relation(pose_a, pose_b, kernel::Question::surface) == kernel::Relation::apart)
+      return found;
     found.pieces.reserve(last_count_ + last_count_ / 4 + 16);
     pairs_.begin();
     find_candidates(pose_a, pose_b);
@@ -68,6 +72,13 @@ class Bvh8_contacts {
     return tree.element_count() == faces.polyhedron().face_count();
   }
 
+  static bool has_polygon(const covering::Polyhedron& body)
+  {
+    for (covering::Index f = 0; f < body.face_count(); ++f)
+      if (!body.is_triangle(f)) return true;
+    return false;
+  }
+
   /// Writes each pair of faces of which some elements were not discarded, once.
   void find_candidates(const Pose& pose_a, const Pose& pose_b)
   {
@@ -85,7 +96,7 @@ class Bvh8_contacts {
   Bvh8_collision<K> collision_;
   Contact_faces faces_a_, faces_b_;
   Face_pairs<K> pairs_;
-  bool one_element_a_, one_element_b_;
+  bool one_element_a_, one_element_b_, has_polygons_;
   std::vector<Face_pair> candidates_;
   std::size_t last_count_ = 0;  // pieces of the last pose; the next one has about as many
 };
