@@ -8,7 +8,9 @@
 #include "tetracone/kernel/predicate/segment_face.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace tetracone::kernel {
 
@@ -44,6 +46,24 @@ inline std::optional<Rational> ray_segment(const Rational_ray& ray, const Ration
 }
 
 }  // namespace detail
+
+/// Returns what `ray_face` does of a triangle whose plane the ray's line crosses in one point; else nothing.
+///
+/// Let A, B, C be the corners less o. The line passes edge AB on the side that the sign of det[d, A, B] tells, and so
+/// for the others. The sum of these determinants is n . d, with n = (B - A) x (C - A).
+inline std::optional<std::optional<Rational>> ray_crossing(const Rational_ray& ray,
+                                                           const std::array<Rational_vector, 3>& corner)
+{
+  std::array<Rational_vector, 3> from;
+  for (std::size_t k = 0; k < 3; ++k) from[k] = difference(corner[k], ray.origin);
+  const Rational ab = determinant(ray.direction, from[0], from[1]), bc = determinant(ray.direction, from[1], from[2]),
+                 ca = determinant(ray.direction, from[2], from[0]), ascent = ab + bc + ca;
+  if (ascent == 0) return std::nullopt;
+  for (const Rational& side : {ab, bc, ca})
+    if (sgn(side) * sgn(ascent) < 0) return std::optional<Rational>();
+  Rational t = determinant(from[0], from[1], from[2]) / ascent;
+  return t < 0 ? std::optional<Rational>() : std::optional(std::move(t));
+}
 
 /// Returns the least t >= 0 at which the ray meets the closed planar face; nothing where it does not. The face has the
 /// points that `segment_face` takes. It may be a segment or a point, and the ray may lie in its plane. Requires d != 0.
