@@ -66,10 +66,13 @@ class Inner_balls {
     const double size = kernel::maximum(high[0] - low[0], high[1] - low[1], high[2] - low[2]), step = size / grid;
     if (!(size >= 0x1p-200 && size <= 0x1p200)) return;
     std::vector<Ball> balls;
-    for (double x = low[0] + step / 2; x < high[0]; x += step)
-      for (double y = low[1] + step / 2; y < high[1]; y += step)
-        for (double z = low[2] + step / 2; z < high[2]; z += step)
-          if (const double radius = signed_distance({x, y, z}); radius > 0) balls.push_back({{x, y, z}, radius});
+    const auto at = [&](std::size_t k, int i) { return low[k] + (i + 0.5) * step; };
+    for (int i = 0; i < grid && at(0, i) < high[0]; ++i)
+      for (int j = 0; j < grid && at(1, j) < high[1]; ++j)
+        for (int k = 0; k < grid && at(2, k) < high[2]; ++k) {
+          const Ball ball{{at(0, i), at(1, j), at(2, k)}, signed_distance({at(0, i), at(1, j), at(2, k)})};
+          if (ball.radius > 0) balls.push_back(ball);
+        }
     own_ = largest_balls(std::move(balls), most_balls, least_share);
   }
 

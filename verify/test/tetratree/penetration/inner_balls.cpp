@@ -89,6 +89,9 @@ BOOST_AUTO_TEST_CASE(balls_are_inside_the_solid)
   for (const Polyhedron& body : {scenes::cube_with_cavity(), scenes::cube_with_tunnel(), scenes::torus(8, 6)})
     BOOST_TEST(Filled(body).seen(Pose()).size() > 4U);
   BOOST_TEST(Filled(scenes::cube(2)).seen(Pose())[0].radius > 1.8);
+  // Far away the grid is finer than the doubles.
+  const Polyhedron far = scenes::box({0x1p55, 0, 0}, {0x1p55 + 16, 16, 16});
+  BOOST_TEST(count_wrong(Filled(far).seen(Pose()), far) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(views_keep_balls_inside)
