@@ -82,30 +82,30 @@ class Inner_balls {
     const CGAL::Protect_FPU_rounding<true> upward;
     std::array<kernel::Interval, 12> m;
     for (std::size_t k = 0; k < 12; ++k) m[k] = CGAL::to_interval(map[k]);
-    kernel::Interval least = HUGE_VAL;
+    double least = HUGE_VAL;  // a lower bound
     for (std::size_t i = 0; i < 3; ++i) {
       kernel::Interval row = 0;
       for (std::size_t j = 0; j < 3; ++j) {
         const kernel::Interval product = m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
         row += i == j ? product : -CGAL::abs(product);
       }
-      least = (CGAL::min)(least, row);
+      least = kernel::minimum(least, row.inf());
     }
     seen_.clear();
     scale_ = 0;
-    if (!(least.inf() >= 0x1p-400 && least.sup() <= 0x1p400)) return;
-    scale_ = CGAL::sqrt(least).inf();
+    if (!(least >= 0x1p-400 && least <= 0x1p400)) return;
+    scale_ = CGAL::sqrt(kernel::Interval(least)).inf();
     find_inverse(map);
     for (const Ball& ball : own_) {
       Ball image;
-      kernel::Interval radius = kernel::Interval(scale_) * ball.radius;
+      double error = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         const kernel::Interval x =
             m[4 * k] * ball.centre[0] + m[4 * k + 1] * ball.centre[1] + m[4 * k + 2] * ball.centre[2] + m[4 * k + 3];
         image.centre[k] = x.inf() / 2 + x.sup() / 2;
-        radius -= (CGAL::max)(kernel::Interval(x.sup()) - image.centre[k], image.centre[k] - kernel::Interval(x.inf()));
+        error += kernel::maximum(x.sup() - image.centre[k], image.centre[k] - x.inf());
       }
-      image.radius = radius.inf();
+      image.radius = -(error + -scale_ * ball.radius);  // rounded down, as upward rounding has it
       if (image.radius >= 0x1p-200 && image.radius <= 0x1p200) seen_.push_back(image);
     }
   }

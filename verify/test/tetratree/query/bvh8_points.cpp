@@ -42,7 +42,7 @@ class Judge {
   {
     const auto& [square, nearest] = truth_(exact(x));
     const Rational low = points_.lower_bound(x);
-    if (low < 0 || low * low > square || low < kernel::nearest_root(square) * 0.999 - 1e-9) return false;
+    if (low < 0 || low * low > square) return false;
     if (const auto found = points_.by_enclosures(x)) {
       ++by_enclosures;
       if (!found->is_only || nearest.size() != 1 || found->distance != kernel::nearest_root(square)) return false;
