@@ -58,6 +58,8 @@ const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/pred
                                                                    {"tetratree/relation", "tetratree/query"},
                                                                    {"tetratree/penetration", "tetratree"},
                                                                    {"tetratree/penetration", "tetratree/fast"},
+                                                                   {"tetratree/penetration", "tetratree/locator"},
+                                                                   {"tetratree/penetration", "tetratree/query"},
                                                                    {"tetratree/penetration", "tetratree/relation"},
                                                                    {"tetratree/certificate", "tetratree/fast"},
                                                                    {"tetratree/certificate", "tetratree/door"},
