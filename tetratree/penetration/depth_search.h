@@ -42,13 +42,13 @@ struct Depth_limits {
 ///
 /// Let P be the set of translations after which they do; it is open. Exits along directions give translations that are
 /// not in P, the shortest of which is the upper bound. The lower bound comes from boxes of translations, nearest to 0
-/// first. A box is done where all of its translations that are shorter than the upper bound are in P:
+/// first. A box is done where the shortest translation that is not in P is not in it:
 ///
 /// - A ball inside A meets a ball inside B for all translations of the box. One of them is about a point of the other
 ///   body (`Inner_balls`).
 /// - Two pieces, as of `Seen_solid`, cross for all translations inside their `Crossing_polytope`; so these are in P.
-/// - Where no two pieces meet for any translation of the box, the surfaces do not meet. So all of its translations are
-///   in P, or none is; the relation at the centre tells.
+/// - No two pieces meet for any translation of the box. The shortest translation that is not in P is on the border of
+///   P, since 0 is in P. There the surfaces touch.
 ///
 /// Any other box is halved. The length of the nearest open box's translations is the lower bound. If none is left, the
 /// upper bound is the least. That happens where the shortest translations end at planes that are perpendicular to them:
@@ -203,7 +203,7 @@ class Depth_search {
       if (next.least >= radius * (1 - limits.relative) || boxes_left_ == 0) return;
       --boxes_left_;
       auto near = std::make_shared<Near>();
-      if (is_done(next, *near, meet)) continue;
+      if (is_done(next, *near)) continue;
       if (next.halvings % halvings_a_question == 0 && next.least > 0) {
         const kernel::Rational_point v = centre(next.box);
         if (kernel::dot(v, v) < found_.square && !meet(v) && leave(v, exit)) radius = set_radius();
@@ -226,10 +226,9 @@ class Depth_search {
     found_.is_exact = true;
   }
 
-  /// True when all of the box's translations that are shorter than the known one are in P. Else `near` has what may
-  /// meet for some of them.
-  template <class Meet>
-  bool is_done(const Open_box& open, Near& near, const Meet& meet)
+  /// True when the shortest translation that is not in P is not in the box. Else `near` has what may meet for some
+  /// translations of the box.
+  bool is_done(const Open_box& open, Near& near)
   {
     const auto is_held = [&](std::uint32_t k) {
       Polytope& polytope = renewed(k);
@@ -274,10 +273,7 @@ class Depth_search {
         pairs_.back()[opens_b] = {node, lane};
       }
     }
-    if (!near.pairs.empty() || !near.polytopes.empty()) return false;
-    // Pairs that meet outside the ball of shorter translations are not known.
-    const kernel::Rational_point nearest = nearest_to_0(open.box);
-    return kernel::dot(nearest, nearest) >= found_.square || meet(nearest);
+    return near.pairs.empty() && near.polytopes.empty();
   }
 
   /// Returns the radii together: of a ball inside a body, and `about`, that of the largest ball about its centre inside
@@ -371,17 +367,6 @@ class Depth_search {
       }
     }
     return is_shorter;
-  }
-
-  /// Returns the shortest translation of the box. Its ends are doubles.
-  static kernel::Rational_point nearest_to_0(const Box& box)
-  {
-    kernel::Rational_point v;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double low = box.centre[k] - box.half[k], high = box.centre[k] + box.half[k];
-      v[k] = kernel::Rational(low > 0 ? low : high < 0 ? high : 0.0);
-    }
-    return v;
   }
 
   static kernel::Rational_point centre(const Box& box)
