@@ -82,6 +82,7 @@ class Depth_search {
         axis[k] = sign;
         leave(axis, exit);
       }
+    found_.is_exact = found_.square == 0;
     boxes_left_ = limits.most_boxes;
     inner_[0].see(map_a);
     inner_[1].see(map_b);

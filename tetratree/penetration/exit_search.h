@@ -47,14 +47,16 @@ class Exit_search {
   Exit_search(Seen_solid a, Seen_solid b) : solid_{std::move(a), std::move(b)} {}
 
   /// Returns the exits. `map_a` and `map_b` lead from the bodies' coordinates into the view. meet(s) tells whether the
-  /// interiors share a point when A has risen by s. Requires that they do at 0.
+  /// interiors share a point when A has risen by s. Requires that they do at 0, or that a solid has no inside.
   template <class Meet>
   Exit_heights operator()(const std::array<kernel::Rational, 12>& map_a, const std::array<kernel::Rational, 12>& map_b,
                           const Meet& meet)
   {
     solid_[0].see(map_a);
     solid_[1].see(map_b);
-    const kernel::Rational last = *largest_high(nullptr);
+    const std::optional<Rational> highest = largest_high(nullptr);
+    if (!highest) return {0, 0};  // a solid without volume has no inside
+    const Rational& last = *highest;
     const double goal = start_of_last();
     if (goal < 0) return {last, last};
     const std::optional<Met> reached = climb(goal);

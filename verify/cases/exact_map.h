@@ -4,6 +4,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -58,16 +59,19 @@ inline Exact_vector cross(const Exact_vector& a, const Exact_vector& b)
 inline bool is_zero(const Exact_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
 /// Returns `a` times the power of two that brings its largest component into [1/2, 1). Requires a vector that is not
-/// zero.
+/// zero. Its components may be beyond the doubles.
 inline Exact_vector scaled_to_one(const Exact_vector& a)
 {
-  double largest = 0;
-  for (const kernel::Rational& x : a) largest = std::max(largest, std::abs(kernel::nearest_double(x)));
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return times(exponent > 0 ? kernel::Rational(1 / kernel::Rational(std::ldexp(1.0, exponent)))
-                            : kernel::Rational(std::ldexp(1.0, -exponent)),
-               a);
+  kernel::Rational largest = 0;
+  for (const kernel::Rational& x : a) largest = std::max(largest, kernel::Rational(abs(x)));
+  const auto bits = [](const mpz_class& n) { return int(mpz_sizeinbase(n.get_mpz_t(), 2)); };
+  int exponent = bits(largest.get_num()) - bits(largest.get_den());  // off by one at most
+  const auto power = [](int n) -> kernel::Rational {
+    const kernel::Rational whole(mpz_class(1) << mp_bitcnt_t(std::abs(n)));
+    return n < 0 ? kernel::Rational(1 / whole) : whole;
+  };
+  if (largest >= power(exponent)) ++exponent;
+  return times(power(-exponent), a);
 }
 
 /// M v + t.

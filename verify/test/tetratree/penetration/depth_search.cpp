@@ -183,6 +183,16 @@ BOOST_AUTO_TEST_CASE(cubes_in_a_block_leave_it_or_enter_a_cavity)
   BOOST_TEST(exact > 20);
 }
 
+BOOST_AUTO_TEST_CASE(a_solid_without_volume_has_no_inside)
+{
+  const Polyhedron flat = scenes::tetrahedron({0.5, 0.5, 0}, {1, 0.5, 0}, {0.5, 1, 0}, {0.25, 0.25, 0});
+  Query query{Body(flat), Body(scenes::cube(2))};
+  BOOST_TEST(query.exits(tetracone::Pose(), tetracone::Pose(), {1.0, 2.0, 0.0}).last == 0);
+  const Depth depth = query.depth(Pose(), Pose());
+  BOOST_TEST(depth.is_exact);
+  BOOST_TEST(depth.high == 0);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_no_width_is_refused)
 {
   Query query{Body(scenes::unit_cube()), Body(scenes::unit_cube())};
