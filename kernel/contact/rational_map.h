@@ -6,6 +6,7 @@
 #include "tetracone/kernel/number/pose.h"
 
 #include <array>
+#include <cstddef>
 
 namespace tetracone::kernel {
 
@@ -40,6 +41,9 @@ class Rational_map {
       image[k] = m_[4 * k] * x[0] + m_[4 * k + 1] * x[1] + m_[4 * k + 2] * x[2] + m_[4 * k + 3] * s;
     return image;
   }
+
+  /// Returns row i of the inverse of M.
+  const Rational_point& inverse_row(std::size_t i) const { return inverse_[i]; }
 
   /// Returns the point that is mapped to x.
   Rational_point inverse(const Rational_point& x) const

@@ -138,20 +138,17 @@ class Depth_search {
     /// True when the plane of a half-space n . v < limit does not cut the open ball of all shorter translations.
     bool is_outside_ball(const kernel::Shift_axis& axis, int sign) const
     {
-      const kernel::detail::Allowed<kernel::Rational> allowed(axis, search->solid_[0].exactly(*a),
-                                                              search->solid_[1].exactly(*b));
-      const kernel::Rational limit = sign > 0 ? allowed.high : kernel::Rational(-allowed.low);
-      const auto n = direction(axis);
+      const auto [n, at] = plane(axis, sign);
+      const kernel::Rational limit = sign * at;
       return limit > 0 && limit * limit >= search->found_.square * kernel::dot(n, n);
     }
   };
 
   /// Asks for the exit along a direction, and along the normals of the planes that it ends at, as long as that is
-  /// shorter. True when a shorter translation than all before was found.
+  /// shorter. A shorter translation than all before sets the ball's radius, an upper bound of its length.
   template <class Leave>
-  bool leave(kernel::Rational_point direction, const Leave& exit)
+  void leave(kernel::Rational_point direction, const Leave& exit)
   {
-    bool is_shorter = false;
     std::vector<kernel::Rational_point> directions = {std::move(direction)};
     while (!directions.empty()) {
       const kernel::Rational_point d = scaled(directions.back());
@@ -162,14 +159,14 @@ class Depth_search {
       if (found_.square >= 0 && square >= found_.square) continue;
       found_.square = square;
       found_.vector = found.vector;
-      is_shorter = true;
+      radius_ = std::nextafter(kernel::nearest_root(square), HUGE_VAL);
+      ++round_;
       for (kernel::Rational_point n : found.normals) {
         if (kernel::dot(n, found.vector) < 0)
           for (kernel::Rational& x : n) x = -x;
         directions.push_back(n);
       }
     }
-    return is_shorter;
   }
 
   /// Returns the direction with a largest component of 1 or -1, so that equal ones are equal.
@@ -185,9 +182,8 @@ class Depth_search {
   template <class Leave, class Meet>
   void search(const Leave& exit, const Meet& meet, const Depth_limits& limits)
   {
-    double radius = set_radius();
-    if (!(radius >= 0x1p-200 && radius <= 0x1p200)) return;  // beyond what the boxes' numbers can bound
-    most_ = std::ldexp(1.0, std::ilogb(radius) + 1);
+    if (!(radius_ >= 0x1p-200 && radius_ <= 0x1p200)) return;  // beyond what the boxes' numbers can bound
+    most_ = std::ldexp(1.0, std::ilogb(radius_) + 1);
     polytopes_.clear();
     by_leaves_.clear();
     auto all = std::make_shared<Near>();
@@ -201,16 +197,15 @@ class Depth_search {
       const Open_box next = std::move(open.back());
       open.pop_back();
       found_.least = kernel::maximum(found_.least, next.least);
-      if (next.least >= radius * (1 - limits.relative) || boxes_left_ == 0) return;
+      if (next.least >= radius_ * (1 - limits.relative) || boxes_left_ == 0) return;
       --boxes_left_;
       auto near = std::make_shared<Near>();
       if (is_done(next, *near)) continue;
       if (next.halvings % halvings_a_question == 0 && next.least > 0) {
         const kernel::Rational_point v = centre(next.box);
-        if (kernel::dot(v, v) < found_.square && !meet(v) && leave(v, exit)) radius = set_radius();
-        if (next.halvings >= least_halvings && next.halvings % halvings_a_corner == 0 &&
-            leave_by_corners(next.box, *near, exit, meet))
-          radius = set_radius();
+        if (kernel::dot(v, v) < found_.square && !meet(v)) leave(v, exit);
+        if (next.halvings >= least_halvings && next.halvings % halvings_a_corner == 0)
+          leave_by_corners(next.box, *near, exit, meet);
       }
       const auto axis = std::size_t(std::ranges::max_element(next.box.half) - next.box.half.begin());
       for (const int side : {-1, 1}) {
@@ -218,7 +213,7 @@ class Depth_search {
         part.box.half[axis] /= 2;
         part.box.centre[axis] += side * part.box.half[axis];
         part.least = kernel::maximum(next.least, part.box.least_length());
-        if (part.least > radius) continue;
+        if (part.least > radius_) continue;
         open.push_back(std::move(part));
         std::ranges::push_heap(open, is_later);
       }
@@ -258,21 +253,15 @@ class Depth_search {
         near.pairs.push_back(pair);
         continue;
       }
-      const std::array<bool, 2> is_leaf = {solid_[0].tree().is_leaf(pair[0]), solid_[1].tree().is_leaf(pair[1])};
-      if (is_leaf[0] && is_leaf[1]) {
-        const auto numbers = polytopes_of(pair);
-        if (!numbers) near.pairs.push_back(pair);
-        for (std::uint32_t k = numbers ? numbers->first : 0; numbers && k < numbers->second; ++k)
-          if (is_held(k)) return true;
+      if (!solid_[0].tree().is_leaf(pair[0]) || !solid_[1].tree().is_leaf(pair[1])) {
+        open_pair(
+            solid_, pair, [this](const Box_ids& closer) { pairs_.push_back(closer); }, [](Seen_piece&, Seen_piece&) {});
         continue;
       }
-      const bool opens_b = is_leaf[0] || (!is_leaf[1] && b.size() > a.size());
-      const Bvh8& tree = solid_[opens_b].tree();
-      const Index node = tree.child(pair[opens_b]);
-      for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
-        pairs_.push_back(pair);
-        pairs_.back()[opens_b] = {node, lane};
-      }
+      const auto numbers = polytopes_of(pair);
+      if (!numbers) near.pairs.push_back(pair);
+      for (std::uint32_t k = numbers ? numbers->first : 0; numbers && k < numbers->second; ++k)
+        if (is_held(k)) return true;
     }
     return near.pairs.empty() && near.polytopes.empty();
   }
@@ -300,35 +289,35 @@ class Depth_search {
     int sign;
   };
 
-  /// Returns the point of up to three planes that is nearest to 0; nothing where they are parallel.
+  /// Returns the point of one to three planes n . v = limit that is nearest to 0; nothing where they are parallel.
   template <class N>
   static std::optional<std::array<N, 3>> nearest_to_0(std::span<const std::pair<std::array<N, 3>, N>> planes)
   {
     using kernel::cross, kernel::dot;
-    const auto sum = [](const std::array<std::pair<std::array<N, 3>, N>, 3>& terms,
-                        const N& divisor) -> std::optional<std::array<N, 3>> {
-      if (divisor == 0) return std::nullopt;
-      std::array<N, 3> v;
-      for (std::size_t k = 0; k < 3; ++k)
-        v[k] = N(terms[0].first[k] * terms[0].second + terms[1].first[k] * terms[1].second +
-                 terms[2].first[k] * terms[2].second) /
-               divisor;
-      return v;
-    };
     const auto& [n, limit] = planes[0];
-    const std::pair<std::array<N, 3>, N> none{{0, 0, 0}, 0};
-    if (planes.size() == 1) return sum({planes[0], none, none}, N(dot(n, n)));
-    const std::array<N, 3> line = planes.size() == 2 ? cross(n, planes[1].first) : planes[2].first;
-    const std::array<N, 3> along = cross(n, planes[1].first);
-    const N third = planes.size() == 2 ? N(0) : planes[2].second;
-    return sum({{{cross(planes[1].first, line), limit}, {cross(line, n), planes[1].second}, {along, third}}},
-               N(dot(along, line)));
+    if (planes.size() == 1) return sum_over<N>({limit}, {n}, dot(n, n));
+    // The plane through 0 across the line of two planes is the third.
+    const auto& [m, second] = planes[1];
+    const std::array<N, 3> line = cross(n, m), third = planes.size() == 2 ? line : planes[2].first;
+    return sum_over<N>({limit, second, planes.size() == 2 ? N(0) : planes[2].second},
+                       {cross(m, third), cross(third, n), line}, dot(line, third));
   }
 
-  /// Asks for exits to the corners, edges and faces of polytopes in a box that are nearest to 0. True when a shorter
-  /// translation than all before was found.
+  /// Returns the sum of vectors times factors, over a divisor; nothing for the divisor 0.
+  template <class N>
+  static std::optional<std::array<N, 3>> sum_over(const std::vector<N>& factors,
+                                                  const std::vector<std::array<N, 3>>& vectors, const N& divisor)
+  {
+    if (divisor == 0) return std::nullopt;
+    std::array<N, 3> sum = {0, 0, 0};
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += factors[i] * vectors[i][k] / divisor;
+    return sum;
+  }
+
+  /// Asks for exits to the corners, edges and faces of polytopes in a box that are nearest to 0.
   template <class Leave, class Meet>
-  bool leave_by_corners(const Box& box, const Near& near, const Leave& exit, const Meet& meet)
+  void leave_by_corners(const Box& box, const Near& near, const Leave& exit, const Meet& meet)
   {
     std::vector<Plane> planes;
     for (const std::uint32_t k : near.polytopes) {
@@ -346,7 +335,6 @@ class Depth_search {
             if (is_new) planes.push_back({n, limit, Exactly{this, kept.a, kept.b}, axis, sign});
           });
     }
-    bool is_shorter = false;
     const auto try_planes = [&](std::initializer_list<const Plane*> chosen) {
       std::vector<std::pair<std::array<double, 3>, double>> about;
       for (const Plane* plane : chosen) about.emplace_back(plane->normal, plane->limit);
@@ -357,8 +345,7 @@ class Depth_search {
       for (const Plane* plane : chosen) exact.push_back(plane->exactly.plane(plane->axis, plane->sign));
       const auto corner = nearest_to_0<kernel::Rational>(exact);
       if (!corner || !corners_.insert(*corner).second) return;
-      if (kernel::dot(*corner, *corner) < found_.square && !meet(*corner))
-        is_shorter = leave(*corner, exit) || is_shorter;
+      if (kernel::dot(*corner, *corner) < found_.square && !meet(*corner)) leave(*corner, exit);
     };
     for (std::size_t i = 0; i < planes.size(); ++i) {
       try_planes({&planes[i]});
@@ -367,19 +354,11 @@ class Depth_search {
         for (std::size_t k = 0; k < j; ++k) try_planes({&planes[i], &planes[j], &planes[k]});
       }
     }
-    return is_shorter;
   }
 
   static kernel::Rational_point centre(const Box& box)
   {
     return {kernel::Rational(box.centre[0]), kernel::Rational(box.centre[1]), kernel::Rational(box.centre[2])};
-  }
-
-  /// Sets the radius of the ball to an upper bound of the known translation's length. Returns it.
-  double set_radius()
-  {
-    ++round_;
-    return radius_ = std::nextafter(kernel::nearest_root(found_.square), HUGE_VAL);
   }
 
   /// Returns the numbers of the polytopes of two leaves: from the first to before the last. Nothing where there is no
@@ -390,14 +369,12 @@ class Depth_search {
     if (const auto at = by_leaves_.find(leaves); at != by_leaves_.end()) return at->second;
     if (polytopes_.size() >= most_polytopes) return std::nullopt;
     const auto first = std::uint32_t(polytopes_.size());
-    const Bvh8 &in_a = solid_[0].tree(), &in_b = solid_[1].tree();
-    for (Index i = 0; i < in_a.leaf_count(box[0]); ++i)
-      for (Index j = 0; j < in_b.leaf_count(box[1]); ++j)
-        for (Seen_piece& a : solid_[0].pieces(in_a.element(box[0], i).face))
-          for (Seen_piece& b : solid_[1].pieces(in_b.element(box[1], j).face)) {
-            const Polytope polytope = polytope_of(a, b);
-            if (!polytope.is_beyond()) polytopes_.push_back({polytope, &a, &b, round_});
-          }
+    open_pair(
+        solid_, box, [](const Box_ids&) {},
+        [this](Seen_piece& a, Seen_piece& b) {
+          const Polytope polytope = polytope_of(a, b);
+          if (!polytope.is_beyond()) polytopes_.push_back({polytope, &a, &b, round_});
+        });
     return by_leaves_[leaves] = {first, std::uint32_t(polytopes_.size())};
   }
 

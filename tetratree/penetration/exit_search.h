@@ -314,25 +314,6 @@ class Exit_search {
     }
   }
 
-  /// Compares the pieces of two leaves, or calls add(boxes) for the parts of the larger of two boxes.
-  template <class Add, class Compare>
-  void open(const Box_ids& box, const Add& add, const Compare& compare)
-  {
-    const std::array<bool, 2> is_leaf = {solid_[0].tree().is_leaf(box[0]), solid_[1].tree().is_leaf(box[1])};
-    if (is_leaf[0] && is_leaf[1]) {
-      compare_leaves(box, compare);
-      return;
-    }
-    const bool opens_b = is_leaf[0] || (!is_leaf[1] && solid_[1].box(box[1]).size() > solid_[0].box(box[0]).size());
-    const Bvh8& tree = solid_[opens_b].tree();
-    const Index node = tree.child(box[opens_b]);
-    for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
-      Box_ids closer = box;
-      closer[opens_b] = {node, lane};
-      add(closer);
-    }
-  }
-
   template <class Key>
   bool push(const Box_ids& box, const Key& key)
   {
@@ -344,18 +325,15 @@ class Exit_search {
     return at.has_value();
   }
 
-  template <class Compare>
-  void compare_leaves(const Box_ids& box, const Compare& compare)
+  /// Opens a pair of boxes, and counts the work.
+  template <class Add, class Compare>
+  void open(const Box_ids& box, const Add& add, const Compare& compare)
   {
-    ++counts_.leaf_pairs;
-    const Bvh8 &in_a = solid_[0].tree(), &in_b = solid_[1].tree();
-    for (Index i = 0; i < in_a.leaf_count(box[0]); ++i)
-      for (Index j = 0; j < in_b.leaf_count(box[1]); ++j)
-        for (Seen_piece& a : solid_[0].pieces(in_a.element(box[0], i).face))
-          for (Seen_piece& b : solid_[1].pieces(in_b.element(box[1], j).face)) {
-            ++counts_.triangle_tests;
-            compare(a, b);
-          }
+    counts_.leaf_pairs += solid_[0].tree().is_leaf(box[0]) && solid_[1].tree().is_leaf(box[1]);
+    open_pair(solid_, box, add, [&](Seen_piece& a, Seen_piece& b) {
+      ++counts_.triangle_tests;
+      compare(a, b);
+    });
   }
 
   kernel::Shift_range<Rational> exact_range(Seen_piece& a, Seen_piece& b)

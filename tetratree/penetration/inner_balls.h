@@ -1,9 +1,11 @@
 #ifndef TETRACONE_TETRATREE_PENETRATION_INNER_BALLS_H
 #define TETRACONE_TETRATREE_PENETRATION_INNER_BALLS_H
 
+#include "tetracone/kernel/contact/rational_map.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/locator/point_locator.h"
 #include "tetracone/tetratree/query/bvh8_points.h"
@@ -95,7 +97,12 @@ class Inner_balls {
     scale_ = 0;
     if (!(least >= 0x1p-400 && least <= 0x1p400)) return;
     scale_ = CGAL::sqrt(kernel::Interval(least)).inf();
-    find_inverse(map);
+    // Each number of the inverse has an error of one rounding.
+    const kernel::Rational_map view{kernel::Pose(map)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      shift_[i] = kernel::nearest_double(map[4 * i + 3]);
+      for (std::size_t j = 0; j < 3; ++j) inverse_[i][j] = kernel::nearest_double(view.inverse_row(i)[j]);
+    }
     for (const Ball& ball : own_) {
       Ball image;
       double error = 0;
@@ -123,10 +130,10 @@ class Inner_balls {
       double magnitude = 0;
       own[i] = 0;
       for (std::size_t j = 0; j < 3; ++j) {
-        own[i] += inverse_[3 * i + j] * (point[j] - shift_[j]);
-        magnitude += std::abs(inverse_[3 * i + j]) * (std::abs(point[j]) + std::abs(shift_[j]));
+        own[i] += inverse_[i][j] * (point[j] - shift_[j]);
+        magnitude += std::abs(inverse_[i][j]) * (std::abs(point[j]) + std::abs(shift_[j]));
       }
-      error += magnitude * kernel::few_roundings;
+      error += magnitude * kernel::few_roundings + kernel::underflow_slack;
       if (!(magnitude <= 0x1p200)) return 0;
     }
     return scale_ * (signed_distance(own) - error) * (1 - kernel::few_roundings);
@@ -140,23 +147,6 @@ class Inner_balls {
     return locator_->locate(x) == covering::Location::inside ? distance : -distance;
   }
 
-  /// Rounds the view's inverse. Each entry has an error of one rounding.
-  void find_inverse(const std::array<kernel::Rational, 12>& map)
-  {
-    const auto at = [&map](std::size_t i, std::size_t j) -> const kernel::Rational& { return map[4 * i + j]; };
-    const kernel::Rational determinant = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
-                                         at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
-                                         at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
-    for (std::size_t i = 0; i < 3; ++i) {
-      shift_[i] = kernel::nearest_double(at(i, 3));
-      for (std::size_t j = 0; j < 3; ++j) {
-        const std::size_t a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
-        inverse_[3 * i + j] =
-            kernel::nearest_double(kernel::Rational((at(a, c) * at(b, d) - at(a, d) * at(b, c)) / determinant));
-      }
-    }
-  }
-
   static constexpr int grid = 16;  // points along the longest side of the solid's box
   static constexpr std::size_t most_balls = 64;
   static constexpr double least_share = 0.125;  // of a ball's radius, by which others stick out
@@ -165,7 +155,7 @@ class Inner_balls {
   Bvh8_points points_;
   std::vector<Ball> own_, seen_;  // in the body's coordinates, and in the view
   double scale_ = 0;              // s
-  std::array<double, 9> inverse_{};
+  std::array<std::array<double, 3>, 3> inverse_{};
   std::array<double, 3> shift_{};
 };
 

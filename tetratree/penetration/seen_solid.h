@@ -202,6 +202,30 @@ class Seen_solid {
   std::map<Index, std::vector<Rational_piece>> cells_;                  // of faces that are not plain
 };
 
+/// Calls compare(piece of A, piece of B) for the pieces of two leaves, or add(boxes) for the parts of the larger of two
+/// boxes.
+template <class Add, class Compare>
+void open_pair(std::array<Seen_solid, 2>& solid, const Box_ids& box, const Add& add, const Compare& compare)
+{
+  const Bvh8 &in_a = solid[0].tree(), &in_b = solid[1].tree();
+  const std::array<bool, 2> is_leaf = {in_a.is_leaf(box[0]), in_b.is_leaf(box[1])};
+  if (is_leaf[0] && is_leaf[1]) {
+    for (Index i = 0; i < in_a.leaf_count(box[0]); ++i)
+      for (Index j = 0; j < in_b.leaf_count(box[1]); ++j)
+        for (Seen_piece& a : solid[0].pieces(in_a.element(box[0], i).face))
+          for (Seen_piece& b : solid[1].pieces(in_b.element(box[1], j).face)) compare(a, b);
+    return;
+  }
+  const bool opens_b = is_leaf[0] || (!is_leaf[1] && solid[1].box(box[1]).size() > solid[0].box(box[0]).size());
+  const Bvh8& tree = solid[opens_b].tree();
+  const Index node = tree.child(box[opens_b]);
+  for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
+    Box_ids closer = box;
+    closer[opens_b] = {node, lane};
+    add(closer);
+  }
+}
+
 }  // namespace tetracone::tetratree
 
 #endif
