@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_any_size_are_exact)
 
 BOOST_AUTO_TEST_CASE(what_is_no_direction_is_refused)
 {
-  Query query(Body(scenes::unit_cube()), Body(scenes::unit_cube()));
+  Query query{Body(scenes::unit_cube()), Body(scenes::unit_cube())};
   const Pose pose;
   for (const Direction& none : {Direction{"0", "0", "-0.0"}, Direction{"1", "nan", "0"}, Direction{"1", "0", "1/0"},
                                 Direction{"inf", "0", "0"}, Direction{"", "0", "1"}})
