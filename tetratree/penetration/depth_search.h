@@ -32,6 +32,25 @@ struct Depth_bracket {
   bool is_exact = true;                       ///< no shorter one parts them
 };
 
+/// The boxes of a search: why none of them has a translation that parts the solids and is shorter than the lower bound.
+struct Depth_proof {
+  enum class Reason : std::uint8_t {
+    too_long,   ///< its translations are no shorter than the lower bound
+    halved,     ///< `of` is the axis, and the number of the node of the lower half; the upper half's is the next
+    crossing,   ///< `of` are faces of A and of B which go through one another for each of its translations
+    balls,      ///< `of` are numbers of balls inside A and inside B, which overlap for each of its translations
+    no_contact  ///< the surfaces share no point for any of its translations
+  };
+  struct Node {
+    Reason reason = Reason::too_long;
+    std::array<std::uint32_t, 2> of{};
+  };
+
+  double most = 0;  ///< half the side of the first node's box, a cube about 0
+  std::vector<Node> nodes;
+  std::array<std::vector<Ball>, 2> balls;  ///< inside of A and of B
+};
+
 /// How narrow a bracket is asked for, and for how much work.
 struct Depth_limits {
   double relative = 1e-9;           ///< the bracket's width over its upper end at which the search ends
@@ -91,7 +110,35 @@ class Depth_search {
     return found_;
   }
 
+  /// Returns the bracket whose upper end is a translation that is known to part the solids, and fills the proof of its
+  /// lower end. The proof uses the given balls alone, and no face that another one of its body meets. Its nodes are
+  /// none where nothing is known. Requires that 0 is in P.
+  Depth_bracket prove(const std::array<kernel::Rational, 12>& map_a, const std::array<kernel::Rational, 12>& map_b,
+                      const kernel::Rational_point& vector, const Depth_limits& limits, Depth_proof& proof)
+  {
+    solid_[0].see(map_a);
+    solid_[1].see(map_b);
+    found_ = {vector, kernel::dot(vector, vector), 0, false};
+    radius_ = std::nextafter(kernel::nearest_root(found_.square), HUGE_VAL);
+    ++round_;
+    boxes_left_ = limits.most_boxes;
+    proof_ = &proof;
+    proof.nodes.clear();
+    const auto stays = [](const kernel::Rational_point&, const auto&) {};
+    search(stays, [](const kernel::Rational_point&) { return true; }, limits);
+    proof_ = nullptr;
+    return found_;
+  }
+
+  /// Returns the balls that stand for A, or for B, at a pose.
+  const std::vector<Ball>& balls(bool of_b, const std::array<kernel::Rational, 12>& map)
+  {
+    inner_[of_b].see(map);
+    return inner_[of_b].seen();
+  }
+
  private:
+  using Reason = Depth_proof::Reason;
   using Polytope = kernel::Crossing_polytope;
   using Box = kernel::Translation_box;
 
@@ -107,6 +154,7 @@ class Depth_search {
     unsigned halvings;
     Box box;
     std::shared_ptr<const Near> near;
+    std::uint32_t node = 0;  // of the proof
   };
 
   struct Kept_polytope {
@@ -188,8 +236,13 @@ class Depth_search {
     by_leaves_.clear();
     auto all = std::make_shared<Near>();
     all->pairs = {{Box_id(), Box_id()}};
-    for (const bool of_b : {false, true})
-      for (const Ball& ball : inner_[of_b].seen()) all->balls.push_back({of_b, ball});
+    if (proof_) {
+      proof_->most = most_;
+      proof_->nodes.resize(1);
+    } else {
+      for (const bool of_b : {false, true})
+        for (const Ball& ball : inner_[of_b].seen()) all->balls.push_back({of_b, ball});
+    }
     std::vector<Open_box> open = {{0, 0, {{0, 0, 0}, {most_, most_, most_}}, std::move(all)}};
     const auto is_later = [](const Open_box& x, const Open_box& y) { return x.least > y.least; };
     while (!open.empty()) {
@@ -200,16 +253,24 @@ class Depth_search {
       if (next.least >= radius_ * (1 - limits.relative) || boxes_left_ == 0) return;
       --boxes_left_;
       auto near = std::make_shared<Near>();
-      if (is_done(next, *near)) continue;
-      if (next.halvings % halvings_a_question == 0 && next.least > 0) {
+      const Depth_proof::Node closed = closed_by(next, *near);
+      if (proof_) proof_->nodes[next.node] = closed;
+      if (closed.reason != Reason::halved) continue;
+      if (!proof_ && next.halvings % halvings_a_question == 0 && next.least > 0) {
         const kernel::Rational_point v = centre(next.box);
         if (kernel::dot(v, v) < found_.square && !meet(v)) leave(v, exit);
         if (next.halvings >= least_halvings && next.halvings % halvings_a_corner == 0)
           leave_by_corners(next.box, *near, exit, meet);
       }
       const auto axis = std::size_t(std::ranges::max_element(next.box.half) - next.box.half.begin());
+      std::uint32_t node = 0;
+      if (proof_) {
+        node = std::uint32_t(proof_->nodes.size());
+        proof_->nodes[next.node].of = {std::uint32_t(axis), node};
+        proof_->nodes.resize(node + 2);
+      }
       for (const int side : {-1, 1}) {
-        Open_box part{0, next.halvings + 1, next.box, near};
+        Open_box part{0, next.halvings + 1, next.box, near, node + (side > 0)};
         part.box.half[axis] /= 2;
         part.box.centre[axis] += side * part.box.half[axis];
         part.least = kernel::maximum(next.least, part.box.least_length());
@@ -222,9 +283,9 @@ class Depth_search {
     found_.is_exact = true;
   }
 
-  /// True when the shortest translation that is not in P is not in the box. Else `near` has what may meet for some
-  /// translations of the box.
-  bool is_done(const Open_box& open, Near& near)
+  /// Returns why the shortest translation that is not in P is not in the box. If that is not known, it returns `halved`,
+  /// and `near` has what may meet for some translations of the box.
+  Depth_proof::Node closed_by(const Open_box& open, Near& near)
   {
     const auto is_held = [&](std::uint32_t k) {
       Polytope& polytope = renewed(k);
@@ -233,13 +294,17 @@ class Depth_search {
       if (polytope.may_meet(open.box)) near.polytopes.push_back(k);
       return false;
     };
+    const auto crossing = [this](std::uint32_t k) {
+      return Depth_proof::Node{Reason::crossing, {polytopes_[k].a->face, polytopes_[k].b->face}};
+    };
     for (const std::uint32_t k : open.near->polytopes)
-      if (is_held(k)) return true;
+      if (is_held(k)) return crossing(k);
+    if (const auto held = proof_ ? held_by_balls(open.box) : std::nullopt) return *held;
     const double half_diagonal = std::hypot(open.box.half[0], open.box.half[1], open.box.half[2]);
     for (const auto& [of_b, ball] : open.near->balls) {
       double about = 0;
       const double sum = radius_sum(of_b, ball, open.box.centre, about);
-      if (about > 0 && sum * (1 - kernel::few_roundings) > half_diagonal) return true;
+      if (about > 0 && sum * (1 - kernel::few_roundings) > half_diagonal) return {Reason::balls, {}};
       if (sum + half_diagonal > 0) near.balls.push_back({of_b, ball});
     }
     const double size = pairs_a_box * 2 * (open.box.half[0] + open.box.half[1] + open.box.half[2]);
@@ -261,9 +326,28 @@ class Depth_search {
       const auto numbers = polytopes_of(pair);
       if (!numbers) near.pairs.push_back(pair);
       for (std::uint32_t k = numbers ? numbers->first : 0; numbers && k < numbers->second; ++k)
-        if (is_held(k)) return true;
+        if (is_held(k)) return crossing(k);
     }
-    return near.pairs.empty() && near.polytopes.empty();
+    return {near.pairs.empty() && near.polytopes.empty() ? Reason::no_contact : Reason::halved, {}};
+  }
+
+  /// Returns two balls of the proof that overlap for each translation of the box.
+  std::optional<Depth_proof::Node> held_by_balls(const Box& box) const
+  {
+    for (std::uint32_t i = 0; i < proof_->balls[0].size(); ++i)
+      for (std::uint32_t j = 0; j < proof_->balls[1].size(); ++j) {
+        const Ball &a = proof_->balls[0][i], &b = proof_->balls[1][j];
+        double square = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double between = std::abs(a.centre[k] + box.centre[k] - b.centre[k]) + box.half[k];
+          const double magnitude = std::abs(a.centre[k]) + std::abs(b.centre[k]) + std::abs(box.centre[k]);
+          const double farthest = between + (magnitude + between) * kernel::few_roundings;
+          square += farthest * farthest;
+        }
+        const double sum = a.radius + b.radius;
+        if (square < sum * sum * (1 - kernel::few_roundings)) return Depth_proof::Node{Reason::balls, {i, j}};
+      }
+    return std::nullopt;
   }
 
   /// Returns the radii together: of a ball inside a body, and `about`, that of the largest ball about its centre inside
@@ -362,12 +446,13 @@ class Depth_search {
   }
 
   /// Returns the numbers of the polytopes of two leaves: from the first to before the last. Nothing where there is no
-  /// room for more.
+  /// room for more, or a proof cannot name a face.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> polytopes_of(const Box_ids& box)
   {
     const std::uint64_t leaves = std::uint64_t(box[0].number()) << 32 | box[1].number();
     if (const auto at = by_leaves_.find(leaves); at != by_leaves_.end()) return at->second;
     if (polytopes_.size() >= most_polytopes) return std::nullopt;
+    if (proof_ && !(solid_[0].is_plain(box[0]) && solid_[1].is_plain(box[1]))) return std::nullopt;
     const auto first = std::uint32_t(polytopes_.size());
     open_pair(
         solid_, box, [](const Box_ids&) {},
@@ -419,6 +504,7 @@ class Depth_search {
   unsigned round_ = 0;
   Depth_bracket found_;
   std::size_t boxes_left_ = 0;
+  Depth_proof* proof_ = nullptr;  // that is filled
 };
 
 }  // namespace tetracone::tetratree

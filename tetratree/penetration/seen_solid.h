@@ -100,6 +100,14 @@ class Seen_solid {
     return boxes_(id.node(), [&](auto& boxes) { boxes = box_view_(tree_->node_of(id).boxes); })[std::size_t(id.lane())];
   }
 
+  /// True when all faces of a leaf are plain triangles.
+  bool is_plain(Box_id leaf) const
+  {
+    for (Index k = 0; k < tree_->leaf_count(leaf); ++k)
+      if (!is_plain(tree_->element(leaf, k).face)) return false;
+    return true;
+  }
+
   /// Returns the pieces of a face. They stay in their place until the next view.
   std::vector<Seen_piece>& pieces(Index f)
   {

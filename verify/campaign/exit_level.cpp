@@ -4,6 +4,7 @@
 #include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/relations/convex_body.h"
 #include "verify/truth/exit_truth.h"
+#include "verify/truth/minkowski_truth.h"
 
 #include <array>
 #include <optional>
@@ -16,8 +17,8 @@ using kernel::Question;
 /// An answer says the first and the last exit along the case's direction. The value of either is the number of what is
 /// right of it: the fraction, and the nearest double. The truth says whether the interiors share a point at the start,
 /// and whether they do again after the first exit. Families that count exits are one truth, the events of all pairs
-/// another, and the formula for convex solids a third. Some of them tell the depth too: its bracket must hold it, and
-/// be exact where it says so.
+/// another, and the formula for convex solids a third. Minkowski sums of Nef polyhedra tell the depth, beside those that
+/// count it and the formula: the bracket must hold it, and be exact where it says so.
 class Exit_page : public Page<levels::Exits> {
  public:
   std::array<Question, 1> questions(const Object_case&) const { return {Question::solid}; }
@@ -45,6 +46,11 @@ class Exit_page : public Page<levels::Exits> {
       if (truth_ != Solid_exits{exit, exit})
         throw Truths_disagree("the two truths of exits disagree", c, Question::solid);
     }
+    if (!is_small) return;
+    const auto square = minkowski_squared_depth(c);
+    if (square && squared_depth_ && square != squared_depth_)
+      throw Truths_disagree("the two truths of depths disagree", c, Question::solid);
+    if (square) squared_depth_ = square;
   }
 
   Truths truths(Question) const

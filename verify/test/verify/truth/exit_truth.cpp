@@ -1,6 +1,8 @@
 #include "verify/truth/exit_truth.h"
 
+#include "verify/cases/lego.h"
 #include "verify/test/support/object_cases.h"
+#include "verify/truth/minkowski_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -45,6 +47,32 @@ BOOST_AUTO_TEST_CASE(normals_of_convex_bodies_say_what_events_do)
   }
   BOOST_TEST(convex_exit(of(a, a), {2, 0, 0}) == Rational(1, 2));
   BOOST_TEST(convex_exit(of(a, a, Pose::translation(0, 1, 0)), {2, 0, 0}) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(minkowski_sums_know_the_depths_of_convex_bodies_and_of_cells)
+{
+  scenes::Random random(5);
+  const scenes::Polyhedron a = scenes::unit_cube(), b = scenes::tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2});
+  for (int round = 0; round < 3; ++round) {
+    const Object_case c = of(a, b, scenes::random_rotation(random, 3));
+    BOOST_TEST(*minkowski_squared_depth(c) == convex_squared_depth(c));
+  }
+  BOOST_TEST(*minkowski_squared_depth(of(a, a, Pose::translation(1, 0, 0))) == 0);
+
+  // A slot two cells wide and two deep, and a peg that fits it and is half a cell below its floor.
+  lego::Cells slot = lego::block({-3, 0, 0}, {3, 3, 2});
+  for (const lego::Cell& cell : lego::block({-1, 1, 0}, {1, 3, 2})) slot.erase(cell);
+  const lego::Bricks solid = {{slot}}, peg = {{lego::block({-1, 1, 0}, {1, 3, 2})}};
+  Random division(1);
+  const auto body = [&](const lego::Bricks& bricks) { return lego::solid(bricks, {1, 0, true, true}, division); };
+  const Object_case fits = of(body(peg), body(solid), Pose::translation(0, -0.5, 0));
+  BOOST_TEST(*minkowski_squared_depth(fits) == Rational(1, 4));
+  BOOST_TEST(lego::squared_depth(peg, solid, {0, 1, 0}) == Rational(1, 4));
+
+  // Two shells are refused.
+  scenes::Polyhedron two = a;
+  append(two, scenes::box({3, 0, 0}, {4, 1, 1}));
+  BOOST_TEST(!minkowski_squared_depth(of(a, two)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
