@@ -38,9 +38,9 @@ Number gap_of_way(const std::vector<Number>& in, Frame_of frame, const Number& n
   return kernel::HWY_NAMESPACE::gap_of_way(g, room, g, f, r).one();
 }
 
-/// Returns the rounding error of that gap, for a direction with components of at most 1, relative to M: the sum of the
-/// centres' coordinates and the extents. A slice has one component of the direction, and the entries that lead there
-/// from a term of M. The component is the first, which has the most roundings.
+/// Returns the rounding error of that gap, relative to the sum of the direction's components times M. M is the sum of
+/// the centres' coordinates and the extents. A slice has one component of the direction, and the entries that lead
+/// there from a term of M. The component is the first, which has the most roundings.
 template <bool fused>
 Rational rounding_of_way(Frame_of frame)
 {
@@ -82,9 +82,9 @@ inline Proved_bounds obb8_distance_proofs()
   const std::string file = "kernel/bound/obb8_distance.h";
   Proved_bounds bounds;
 
-  // A sum over the entries of a row of the directions, a rotation, counts root 3 times. Axes have defects. Along an axis
-  // of the eight boxes, a box reaches farther by their defect. Along an edge of the single box it reaches farther by the
-  // edges' defect. Edges of any map are rounded to float.
+  // A sum over the entries of a row of the directions, a rotation, counts root 3 times. Axes have defects. Along an
+  // axis of the eight boxes, a box reaches farther by their defect. Along an edge of the single box it reaches farther
+  // by the edges' defect. Edges of any map are rounded to float.
   const auto rounding = [](Frame_of frame) {
     return std::max(detail::rounding_of_way<true>(frame), detail::rounding_of_way<false>(frame));
   };

@@ -47,8 +47,9 @@ inline Proved_bounds reference_proofs()
   // - If a side of the reach is more than v, the time is beyond the span.
   // - If it is 0, the gap comes from the loss alone. `radius_rounding` leaves a part of the loss that is more than v.
   // No side is between 0 and v. A loss is at least `least_loss`, and sums of floats of such sizes are 0 or a multiple
-  // of the last digit of the smaller. The loss includes the span's error over the scale. The largest of a span's numbers
-  // is at least 1/2 before it is divided by a binomial, of at most 20. A scale is at most sqrt(3) over a weight.
+  // of the last digit of the smaller. The loss includes the span's error over the scale. The largest of a span's
+  // numbers is at least 1/2 before it is divided by a binomial, of at most 20. A scale is at most sqrt(3) over a
+  // weight.
   const Rational least_loss = Rational(Reference::errors_along) * Rational(kernel::few_roundings) / (2 * 20) / 2,
                  last_digit = least_loss * of_float * of_float,
                  spare = least_loss * Rational(double(kernel::radius_rounding)) / 2;

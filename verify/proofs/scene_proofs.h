@@ -214,8 +214,8 @@ inline Proved_bounds scene_proofs()
                               of_high = slice_errors<Relative_64>(high_side, slices_of_sum(3));
   const auto most = [&](std::initializer_list<Rational> errors) { return std::max(errors); };
   const Rational one = 1, once = 1 + Rational(u);
-  // The slack is the constant times a sum of three magnitudes, which has four roundings. `of_gap[5]` is the error of its
-  // term in the gap.
+  // The slack is the constant times a sum of three magnitudes, which has four roundings. `of_gap[5]` is the error of
+  // its term in the gap.
   const Rational least_slack = (one - 4 * Rational(u)) * (one - of_gap[5]);
   add("body_box_rounding, of places", body_box, tetratree::body_box_rounding,
       most({Rational(of_gap[0] * once + u), of_low[0], of_high[0]}) / least_slack, u, 2.67, "gappa");
