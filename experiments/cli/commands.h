@@ -8,8 +8,9 @@
 /// exclude each other.
 namespace tetracone::experiments {
 
-/// `check MODEL...` describes each model. Throws CLI::RuntimeError(1) when one is no closed polyhedron, with --strict
-/// when one has a face that is not exactly planar, and with --self-intersections when the model has some.
+/// `check MODEL...` describes each model. Throws CLI::RuntimeError(1) when one is no closed polyhedron, and with
+/// --strict when one has a face that is not exactly planar. With --self-intersections, it throws it when the model has
+/// some.
 void add_check_command(CLI::App& app);
 
 /// `save MODEL --out FILE.body`: the model with its tree, which is accepted wherever a model is.

@@ -9,7 +9,7 @@ namespace tetracone::experiments {
 /// covering::Input_error when `out` cannot be written.
 
 /// Measures how fast all contacts of two colliding bodies of 7172 triangles are found, and how many of FCL's pairs of
-/// faces are wrong; ours are the truth. The methods are asked in turn, in those poses of contour and circular
+/// faces are wrong. Our pairs are the truth. The methods are asked in turn, in those poses of contour and circular
 /// trajectories in which surfaces meet. The fastest time of each pose counts. `race_frames` is the number of poses of a
 /// trajectory, those of bodies apart included; the circular one has eight circles. Writes out/contacts.csv, one row per
 /// method, object and trajectory.

@@ -30,8 +30,9 @@ void run_demand(const Experiment_options& options);
 /// Measures how fast the colliding pairs of many bodies are found, frame after frame. The methods are `Scene` on one
 /// thread and on two, our queries on the pairs of CGAL's box intersection, and the scenes of three libraries. These are
 /// FCL, Bullet and ODE. All are asked on the same poses in one run. Answers are compared with the truth in rationals:
-/// on all frames for a thousand bodies, on the last frame for more, and for 10^5 bodies only a tenth of the pairs.
-/// Writes out/scenes.csv, one row per scene and method. `full` adds 10^5 bodies, and bodies of 7000 triangles.
+/// on all frames for a thousand bodies, on the last frame for more. For 10^5 bodies, only a tenth of the pairs are
+/// compared. Writes out/scenes.csv, one row per scene and method. `full` adds 10^5 bodies, and bodies of 7000
+/// triangles.
 void run_scenes(const Experiment_options& options);
 
 }  // namespace tetracone::experiments

@@ -56,8 +56,8 @@ Race_course on_trajectory(const covering::Polyhedron& object, const std::string&
                           double ratio, int frames, std::uint64_t seed, int trajectories = 1,
                           Turning turning = Turning::yes);
 
-// Contact and near contact. In the first three, the bodies are turned so that no face is parallel to an axis, and all
-// numbers are exact in doubles, so the contact is exactly degenerate.
+// Contact and near contact. In the first three, the bodies are turned so that no face is parallel to an axis. All of
+// their numbers are exact in doubles, so the contact is exactly degenerate.
 
 /// A cube on another, shifted sideways: they share a part of a face.
 Race_course stacked_boxes(int frames, std::uint64_t seed);

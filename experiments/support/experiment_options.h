@@ -22,8 +22,8 @@ struct Experiment_options {
   int race_frames = 400;             ///< poses of each trajectory of the others
   double race_seconds = 0;           ///< processor time after which a contestant is asked no more; 0: each race's own
   int size = 256, points = 20'000;   ///< of `sign-maps`: rows and columns; of `points`: points of a kind, and rays
-  bool full = false;                             ///< larger objects, or more of everything
-  bool rows_alone = false;                       ///< of `study`: no report
+  bool full = false;                 ///< larger objects, or more of everything
+  bool rows_alone = false;           ///< of `study`: no report
   std::vector<verify::Object_subject> programs;  ///< of `study` and `peers`: somebody else's methods
 
   double seconds_or(double own) const { return race_seconds > 0 ? race_seconds : own; }

@@ -18,8 +18,8 @@ constexpr std::size_t most_detailed = 50'000, most_triangles = 1'000'000;
 /// The largest number of pairs of leaves left by the paper's query for which features are computed.
 constexpr std::size_t most_leaf_pairs = 100'000;
 
-/// Returns the triangles by which the faces are drawn: the triangles that cover a face exactly or, for a face without
-/// such triangles, those of its covering. Requires planar faces and the polyhedron's own covering.
+/// Returns the triangles by which the faces are drawn. They cover a face exactly; if no triangles do, they are those of
+/// its covering. Requires planar faces and the polyhedron's own covering.
 std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron& polyhedron,
                                                      const covering::Covering& covering);
 

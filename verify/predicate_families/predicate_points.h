@@ -61,8 +61,8 @@ Point mantissa_point(Random& random, int bits);
 /// `anchored`, v1 is the origin.
 Tetra tetrahedron(Random& random, int size, bool anchored = false);
 
-/// Returns a tetrahedron with the origin on its boundary: at v1, on the edge v1 v2 or in the face v1 v2 v3, with
-/// barycentric coordinates of few bits.
+/// Returns a tetrahedron with the origin on its boundary: at v1, on the edge v1 v2 or in the face v1 v2 v3. The
+/// origin's barycentric coordinates have few bits.
 Tetra tetrahedron_at_origin(Random& random, int size = 8);
 
 /// Returns a tetrahedron with v1 = 0 on which points of barycentric coordinates of `bits` bits are doubles. If these

@@ -31,10 +31,10 @@ inline Proved_bounds reference_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
   };
 
-  // Along an axis with the centres' distance s and the gap g, the reach is s - g, and its two sides are the reach plus
-  // and minus s. So an error of s counts at most twice, and one of g once. Both errors are those of a gap, relative to
-  // M; `slacks_of_sweep` is in units of `gap_rounding`. The reach and its two sums, of at most 3 M, are rounded once
-  // each.
+  // Let s be the centres' distance along an axis, and g the gap. The reach is s - g, and its two sides are the reach
+  // plus and minus s. So an error of s counts at most twice, and one of g once. Both errors are those of a gap,
+  // relative to M; `slacks_of_sweep` is in units of `gap_rounding`. The reach and its two sums, of at most 3 M, are
+  // rounded once each.
   Rational of_gap = 0;
   for (const Kind kind : {Kind::own, Kind::other, Kind::across})
     for (const Rational& share : detail::shares_of(Edges::carried, kind, defect, defect + 3 * of_float * few))
@@ -80,8 +80,8 @@ inline Proved_bounds reference_proofs()
       16.1);
 
   // A point of the line between two coefficients has the error of a coefficient: at most twice `Motion_span::error`,
-  // times |n|_1. Sums and quotients of coefficients, and their norms, have 12 roundings of three placings, each below
-  // twice the span's terms; the span's error is `few_roundings` times these terms.
+  // times |n|_1. Sums and quotients of coefficients, and their norms, have 12 roundings of three placings. Each placing
+  // is below twice the span's terms, and the span's error is `few_roundings` times these terms.
   const std::string of_reference = "tetratree/query/span_reference.h";
   add("Span_reference::errors_along", of_reference, Reference::errors_along,
       2 * root_3() * (1 + 3 * defect) + 12 * 3 * 2 * u / Rational(kernel::few_roundings), 1, 1.16);
