@@ -3,7 +3,8 @@
 
 #include <string_view>
 
-/// The files of experiments/accuracy/dataset/, which the program writes beside the cases.
+/// The files of experiments/accuracy/dataset/, which `export_dataset` writes beside the cases. CMake writes their
+/// definitions (experiments/CMakeLists.txt).
 namespace tetracone::experiments::dataset_files {
 
 extern const std::string_view readme_md, license, tetracone_dataset_py, score_py, example_py, croissant_json;

@@ -15,23 +15,25 @@ namespace tetracone::experiments {
 /// compiler.
 void run_compilers(const Experiment_options& options);
 
-/// Writes cases of all families with their truth, for other libraries. OUT/dataset/ holds cases and predicates, as
-/// JSON Lines and as CSV of the same rows, the polyhedra as triangles in meshes/NAME.off, and families.csv. README.md
-/// is the card: it describes every column and every family, as croissant.json does for programs. A reader and a scorer
-/// in Python come with example.py, which runs a toy library. The licence, the version and SHA256SUMS complete it.
-/// Every number is exact: decimals of doubles that read back as equal, or "n/d". `cases` is their number per family
-/// and level.
+/// Writes cases of all families with their truth, for other libraries. OUT/dataset/ holds the tables cases, predicates
+/// and triangles, as JSON Lines and as CSV of the same rows. It also holds the polyhedra as triangles in
+/// meshes/NAME.off, and families.csv. README.md is the card: it describes every column and every family, as
+/// croissant.json does for programs. A reader and a scorer in Python come with example.py, which runs a toy library.
+/// The licence, the version and SHA256SUMS complete it. Every number is exact: decimals of doubles that read back as
+/// equal, or "n/d". `cases` is their number per family and level; `full` multiplies it by 20. Throws
+/// std::runtime_error when the two truths disagree.
 void export_dataset(const Experiment_options& options);
 
-/// Lists every constant of an error bound. Each has its value in the code and the value that is proved to be enough. It
-/// also has the worst error that hill climbing finds, or the reason why no search exists. Writes OUT/error_bounds.csv,
-/// one row per constant. Throws std::runtime_error without Gappa.
+/// Lists every constant of an error bound. A proved one has its value in the code and the value that is proved to be
+/// enough. It also has the worst error that hill climbing finds, or the reason why no search exists. A constant that a
+/// test checks, or that has only a reason by hand, has no numbers. Writes OUT/error_bounds.csv, one row per proof or
+/// reason. Throws std::runtime_error without Gappa.
 void run_error_bounds(const Experiment_options& options);
 
 /// Measures how often each method of deciding whether moving primitives meet is wrong, and how long it takes. It asks
-/// ten times `cases` pairs of each family, judged by the truth of verify/truth. It also asks all queries in `queries`,
-/// a folder in the form of Wang et al. (2021), judged by their own truth, unless `queries` is empty. The first times of
-/// the subject `adaptive` are judged too. Writes OUT/motion.csv, one row per family and subject, and
+/// ten times `cases` pairs of each family (`full`: 500 times), judged by verify/truth. Unless `queries` is empty, it
+/// also asks all queries of that folder, in the form of Wang et al. (2021), judged by their own truth. The first times
+/// of the subject `adaptive` are judged too. Writes OUT/motion.csv, one row per family and subject, and
 /// OUT/motion_relations.csv: how often each metamorphic relation held. Throws covering::Input_error for bad queries.
 void run_motion(const Experiment_options& options);
 
@@ -39,16 +41,17 @@ void run_motion(const Experiment_options& options);
 /// Kettner, Mehlhorn, Pion, Schirra and Yap (2008, Fig. 2), for predicates in 3D. These are the sign of a barycentric
 /// coordinate, segment against triangle, the classification in a cone, and the collision of two bodies. A point near
 /// (1/2, 1/2, 1/2) moves by one double per column in x and one per row in y. Everything is under one exact rotation,
-/// which rounding kernels must round. Writes OUT/sign_maps.csv, one row for each map, subject and row of the grid: -, 0
-/// or + per dot. Throws std::logic_error when the exact picture differs from the truth, which is checked in every 16th
-/// row and column. Requires size >= 1.
+/// which rounding kernels must round. Writes OUT/sign_maps.csv, one row for each map, subject and row of the grid. A
+/// dot is -, 0 or +, or ? where the kernel has no answer. Throws std::logic_error when the exact picture differs from
+/// the truth, which is checked in every 16th row and column. Requires size >= 1.
 void run_sign_maps(const Experiment_options& options);
 
-/// Measures the smallest change that matters. A body moves straight at another, everything under one exact rotation,
-/// and the exact answer changes between two neighbouring doubles of its path. It counts how many doubles away each
-/// kernel's own answer changes. Writes OUT/stability.csv, one row for each motion, path and subject. It has the exact
-/// threshold (the last double without contact). It also has the distance of the subject's threshold, in doubles and in
-/// ulps of the exact one. Throws std::logic_error when the truth by brute force denies an exact threshold.
+/// Measures how many doubles from the exact place each kernel changes its answer. A body moves straight at another,
+/// everything under one exact rotation. The exact answer changes between two neighbouring doubles of its path. Writes
+/// OUT/stability.csv, one row for each motion, path and subject; there are 20 paths (`full`: 400) per motion. A row has
+/// the exact threshold: the last double without contact. It also has the distance of the subject's threshold, in
+/// doubles and in ulps of the exact one. Throws std::logic_error when brute force in rationals denies an exact
+/// threshold.
 void run_stability(const Experiment_options& options);
 
 }  // namespace tetracone::experiments

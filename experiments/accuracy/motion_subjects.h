@@ -14,11 +14,13 @@ struct Motion_subject {
   bool (*meet)(const kernel::Moving_pair& pair);
 };
 
-/// Returns our methods and the field's, written from their descriptions:
+/// Returns our method and those of the field, written from their descriptions:
+///  - adaptive: ours, `kernel::meet_in_motion`, which is exact;
 ///  - double, float: the roots of the volume in [0, 1], then barycentric coordinates at each, as Provot (1997)
 ///    proposed;
-///  - tolerance: as double, with a slack of 1e-6 in coordinates and distance, and with the ends and extrema of the
-///    volume tested too. See Bridson, Fedkiw, Anderson, "Robust Treatment of Collisions", 2002;
+///  - tolerance: as double, with a slack of 1e-6 in barycentric coordinates. Contact within a distance of 1e-6 is also
+///    tested at the ends and extrema of the volume. See Bridson, Fedkiw, Anderson, "Robust Treatment of Collisions",
+///    2002;
 ///  - root-parity: Brochu, Edwards, Bridson, "Efficient Geometrically Exact Continuous Collision Detection", 2012: the
 ///    parity of a ray's crossings with the boundary of the image of the domain. It computes in rationals throughout,
 ///    where the published method filters: it has that method's answers, not its speed;

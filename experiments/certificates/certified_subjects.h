@@ -11,16 +11,18 @@
 namespace tetracone::experiments {
 
 /// The subjects "certified tree" of campaigns: the library's default answers, each with its certificate, which the
-/// checker of experiments/certificates/ proves. A certificate that is refused is a failure. Relations, exits, depths
-/// and motions may have no proof, which is counted. Each running subject has a checker of its own: a process of
+/// checker of experiments/certificates/ proves. An answer fails when the checker refuses its certificate or takes
+/// longer than a minute. Relations, exits, depths and motions may have no proof, which is counted. Bodies of more than
+/// `verify::most_faces` faces are not asked about in pairs. Each running subject has a checker of its own: a process of
 /// /usr/bin/python3, or of the program that TETRACONE_CHECKER names.
 verify::Object_subject certified_objects();         ///< of collisions, distances, relations, exits and depths
 verify::Point_subject certified_points();           ///< of points inside, on the surface and outside
 verify::Ray_subject certified_rays();               ///< of first hits
 verify::Moving_bodies_subject certified_motions();  ///< of first contacts
 
-/// Returns a CSV with what the certificates of this program have cost, a row for each kind of answer; nothing if there
-/// were none. Times are means, in nanoseconds. `seed` is that of the campaign.
+/// Returns a CSV of the costs of this program's certificates, one row per kind of answer; empty if there were none.
+/// Times are means in nanoseconds: `made_ns` of all answers, `checked_ns` and `bytes_mean` of those that have a
+/// certificate. `seed` is the campaign's.
 std::string certificate_costs(std::uint64_t seed);
 
 }  // namespace tetracone::experiments

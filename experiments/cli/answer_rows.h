@@ -27,11 +27,11 @@ struct Row_format {
   bool relation = false;           ///< answers are relations, and named
 };
 
-/// Returns the answers of all poses, one line each.
+/// Returns the answers of all poses, one line each. Requires rows without `instead`.
 std::string answer_rows(const std::vector<Answer_row>& rows, const Row_format& format);
 
-/// Returns the answers of several kernels or programs side by side, one column of rows each; in JSON a missing one is
-/// null.
+/// Returns the answers of several kernels or programs side by side, one column of rows each. In JSON an answer that was
+/// not given is null. Requires one column per kernel, all of one length; `time` and `relation` are not used.
 std::string answer_columns(const std::vector<std::string>& kernels, const std::vector<std::vector<Answer_row>>& columns,
                            const Row_format& format);
 
@@ -41,7 +41,8 @@ std::string work_columns(double nanoseconds, const tetratree::Query_statistics& 
 /// Returns a number in JSON; infinity, which JSON lacks, is the string "inf" or "-inf".
 nlohmann::ordered_json json_number(double x);
 
-/// Returns the features of all poses, one line each: body 0 is an edge of A against a face of B, body 1 the reverse.
+/// Returns the features of all poses, one line per feature: body 0 is an edge of A against a face of B, body 1 the
+/// reverse. In JSON they form one object per pose.
 std::string feature_rows(const std::vector<std::vector<kernel::Feature_pair>>& features, const Row_format& format);
 
 }  // namespace tetracone::experiments

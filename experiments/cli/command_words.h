@@ -10,7 +10,8 @@
 
 namespace tetracone::experiments {
 
-/// Returns the word quoted for a shell; names of files in the project are relative to the project's folder.
+/// Returns the word as a shell reads it, in quotes where they are needed. The path of the project's folder is left out,
+/// so names of its files are relative to it.
 inline std::string shell_word(std::string word)
 {
   constexpr std::string_view project = TETRACONE_SOURCE_DIR "/";
@@ -32,9 +33,8 @@ CLI::Option* add_default(CLI::App& command, const std::string& name, Value& valu
   return command.add_option(name, value, text)->capture_default_str();
 }
 
-/// Returns the options on which results depend, as a command line that repeats them. These are the given ones, and
-/// those with a default value that `--help` shows. Requires a parsed command; `options` name some of its options, such
-/// as `--seed`.
+/// Returns the named options (`--seed`) as a command line that repeats them, each after a blank. An option that was not
+/// given has the default value that `--help` shows; without such a value it is left out. Requires a parsed command.
 inline std::string words_of(const CLI::App& command, const std::vector<std::string>& options)
 {
   std::string words;

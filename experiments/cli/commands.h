@@ -9,7 +9,8 @@
 namespace tetracone::experiments {
 
 /// `check MODEL...` describes each model. Throws CLI::RuntimeError(1) when one is no closed polyhedron, and with
-/// --strict when one has a face that is not exactly planar.
+/// --strict when one has a face that is not exactly planar. With --self-intersections, it throws it when the model has
+/// some.
 void add_check_command(CLI::App& app);
 
 /// `save MODEL --out FILE.body`: the model with its tree, which is accepted wherever a model is.
@@ -54,7 +55,8 @@ void add_motion_command(CLI::App& app);
 /// query. Throws CLI::RuntimeError(1) when a file gives another answer.
 void add_ccd_command(CLI::App& app);
 
-/// `verify`: a campaign, into a database. Throws CLI::RuntimeError(1) when an exact subject was wrong.
+/// `verify`: a campaign, into a database. Throws CLI::RuntimeError(1) when an exact subject was wrong, when the truths
+/// disagree, and with --check-subject when a program does not follow the protocol.
 void add_verify_command(CLI::App& app);
 
 /// `merge` merges the databases of a campaign's shards into one.
@@ -67,7 +69,8 @@ void add_fuzz_command(CLI::App& app);
 /// `experiment NAME`: one question, its CSV and figure. `--list` shows their names with their time.
 void add_experiment_command(CLI::App& app);
 
-/// `report`: the tables of a campaign's database, the notes on other libraries and formulations, and the page.
+/// `report`: the tables of a campaign's database, the notes on other libraries and formulations, and the page. With
+/// --progress it throws CLI::RuntimeError(1) unless every shard is done.
 void add_report_command(CLI::App& app);
 
 /// `view A [B] --out FILE.html`: one self-contained page in 3D, which needs no network. It shows the bodies, their

@@ -19,9 +19,10 @@ struct Contact_format {
 };
 
 /// Returns the contacts of all poses, one line per piece: `pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1`. A point is given
-/// twice; a polygon, which is "coplanar", has no coordinates. Normals add `ax,ay,az,bx,by,bz`, doubles at most one unit
-/// in the last place off. JSON adds the loops of all pieces, the features of either face that contain them, and the
-/// doubles on both sides of each normal. Faces have their numbers in the files.
+/// twice; a polygon, which is "coplanar", has no coordinates. Normals add `ax,ay,az,bx,by,bz`: the largest doubles not
+/// above the exact ones. JSON adds the loops of all pieces, the features of either face that contain them, and the
+/// doubles on both sides of each normal. Faces have their numbers in the files; equal pieces of triangles that replace
+/// one face are listed once.
 std::string contact_rows(const std::vector<Contacts>& contacts, const Model_file& a, const Model_file& b,
                          const Contact_format& format);
 
@@ -36,7 +37,8 @@ struct Pair_rows {
 /// the file. Triangles that replace one face of the file are no pair.
 Pair_rows self_intersection_rows(const Contacts& contacts, const Model_file& model, bool json);
 
-/// Returns the curves of one pose as lines of OBJ or of PLY, by the file's suffix.
+/// Returns the curves of one pose as lines of OBJ or of PLY, by the file's suffix. Requires `is_curve_file`. Throws
+/// Error for a coordinate beyond the largest double, which no model file can hold.
 std::string curves_text(const std::vector<Contacts::Curve>& curves, const std::filesystem::path& file);
 
 /// True when `curves_text` can write such a file.

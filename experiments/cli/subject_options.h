@@ -22,9 +22,9 @@ struct Subject_options {
 /// Adds `--subject-command` and `--subject-limit`.
 void add_subject_options(CLI::App& command, Subject_options& options);
 
-/// Returns the subjects of `--subject-command`; each has already answered one question. Throws CLI::ValidationError for
-/// an invalid name, and for one that is given twice or is the beginning of one of `others`. It also throws it for a
-/// command that the shell cannot run.
+/// Returns the subjects of `--subject-command`; each program was started once and asked one question. Throws
+/// CLI::ValidationError for an invalid name, and for a command that the shell cannot run. It also throws it for a name
+/// that is given twice, is "truth", or is the first word of a name in `others`.
 std::vector<verify::Object_subject> command_subjects(const Subject_options& options,
                                                      const std::vector<verify::Object_subject>& others);
 

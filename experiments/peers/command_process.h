@@ -19,7 +19,7 @@ class Command_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;
 
-  /// The use of its standard error: its last line is kept, or all goes to the program's own.
+  /// What becomes of its standard error: its last line is kept, or all of it goes to our own standard error.
   enum class Errors { kept, shown };
 
   /// Starts the program `words[0]` with these arguments. Throws std::runtime_error when no process can be started. If
@@ -33,7 +33,7 @@ class Command_process {
   bool send(const std::string& text, Deadline deadline);
 
   /// Returns the next line of its output, without its end; nothing when the child ends or the deadline passes first. A
-  /// line longer than 65,536 bytes is cut there.
+  /// line of more than 65,536 bytes may be returned in parts.
   std::optional<std::string> line(Deadline deadline);
 
   /// Returns the next bytes of its output; nothing as for `line`.

@@ -10,13 +10,14 @@
 #include <utility>
 #include <vector>
 
-/// FCL (Debian's package) on its trees of doubles, as its users run it. What prepares it returns null when the program
-/// was built without FCL.
+/// FCL (Debian's package) on its trees of doubles, as its users run it. A function that prepares it returns null when
+/// the program was built without FCL. All poses must be rigid, except that of B in `prepare_fcl`.
 namespace tetracone::experiments {
 
-/// BVHModel<OBBRSS>: one contact, no cost. It always answers the *surface* question, since it has no solids. Faces are
-/// triangulated. Its transforms are rigid, so a pose must be a rotation times a power of two; the scale is applied to
-/// the body's vertices, exactly.
+/// BVHModel<OBBRSS>: one contact, no cost. It always answers the *surface* question, since it has no solids. FCL's
+/// transforms are rigid, so B's vertices are multiplied by `scale_b`, and its matrix is divided by it. Requires that
+/// B's matrix is `scale_b` times a rotation; both operations are exact for a power of two. Throws std::runtime_error
+/// for a face that cannot be triangulated.
 std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b,
                                            double scale_b);
 
@@ -32,7 +33,7 @@ class Fcl_contacts {
   virtual std::vector<Pair> pairs() const = 0;
 };
 
-/// With `with_points` it computes points, normals and depths too. Requires triangle meshes.
+/// Prepares them. With `with_points` FCL computes points, normals and depths too. Requires triangle meshes.
 std::unique_ptr<Fcl_contacts> prepare_fcl_contacts(const covering::Polyhedron& a, const covering::Polyhedron& b,
                                                    bool with_points);
 
@@ -57,8 +58,8 @@ class Motion_peer {
   virtual std::optional<double> first_contact(const kernel::Pose& from, const kernel::Pose& to) = 0;
 };
 
-/// continuousCollide by conservative advancement, on trees of oriented boxes with swept spheres, with its default
-/// settings: steps until bodies are within 1e-4 of the time.
+/// continuousCollide by conservative advancement, on trees of oriented boxes with swept spheres. Its default setting
+/// ends the steps within 1e-4 of the time of contact.
 std::unique_ptr<Motion_peer> fcl_advancement(const Peer_mesh& a, const Peer_mesh& b);
 
 /// continuousCollide with its default method: static questions at ten steps.

@@ -31,10 +31,12 @@ bool is_rigid(const kernel::Pose& pose);
 struct Peer {
   std::string name;
   std::string note;     ///< the question that it really answers, its number type and its tolerance
-  verify::Knows knows;  ///< `solids`: it is not asked of surfaces
+  verify::Knows knows;  ///< `solids`: it is not asked about surfaces
 
-  /// Null when the peer does not take such meshes.
+  /// Returns null when the peer does not take such meshes.
   std::unique_ptr<Prepared_pair> (*prepare)(const Peer_mesh& a, const Peer_mesh& b);
+
+  /// The numbers that it rounds to float before it computes.
   verify::In_floats in_floats = verify::In_floats::nothing;
 };
 

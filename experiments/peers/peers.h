@@ -13,12 +13,13 @@ namespace tetracone::experiments {
 /// Returns every peer of this build as a subject of a campaign. For each one, `program` (the path of this program) is
 /// started as `program peer-worker NAME` at the first question. A peer's failure stays in its own process: a crash, an
 /// exception, or no answer within 10 seconds is `Outcome::failed`, and the next question restarts it. A peer is not
-/// asked about a pose that is not rigid or has a fraction that no double equals. It is not asked about polyhedra that
-/// it does not take either. Times are the peer's own, without the pipe. Throws std::runtime_error when `program` cannot
-/// be started.
+/// asked about a pose that is not rigid or has a fraction that no double equals. Nor is it asked about a body of more
+/// than 30,000 faces, or one that it does not take. Times are the peer's own, without the pipe. A question throws
+/// std::runtime_error when `program` cannot be started.
 std::vector<verify::Object_subject> peer_subjects(const std::string& program);
 
-/// Returns the peer of this name, with this time limit for one question, including the building of its trees.
+/// Returns the peer of this name, with this time limit for one question, including the building of its trees. The
+/// worker also knows the tests' peers `crash` and `hang`; for any other name it cannot be started.
 verify::Object_subject peer_subject(const std::string& program, const std::string& name,
                                     std::chrono::milliseconds limit = std::chrono::seconds(10));
 

@@ -18,7 +18,7 @@ class Scene_peer {
   using Pair = std::array<std::uint32_t, 2>;  // the lesser number first
 
   virtual ~Scene_peer() = default;
-  /// Returns the pairs that collide under these poses, one pose per body, in no order.
+  /// Returns the pairs that collide under these poses, in no order. Requires one rigid pose per body.
   virtual std::vector<Pair> frame(const std::vector<kernel::Pose>& poses) = 0;
   /// Returns the number of pairs that its broad phase passed in the last frame.
   std::size_t candidates() const { return candidates_; }

@@ -16,12 +16,12 @@ namespace tetracone::experiments {
 /// The time that a program may need to start, besides the limit of its first question, until it has once been faster.
 constexpr std::chrono::seconds longest_start{30};
 
-/// An external method as a subject: `command`, a shell command that follows the subject protocol
-/// (experiments/subjects/README.md). It is started for each running subject at the first question. An end, a wrong
-/// line, or no line within `limit` of a question, including the announcing of its bodies, is `Outcome::failed`. The
-/// next question restarts it. A declined question is `Outcome::not_asked`. It is asked what its hello takes; without a
-/// hello, any pose and any polyhedron. After three time-outs in a size class, if it answered fewer questions there, it
-/// is asked nothing of that size or larger. A size class has twice the faces of the one before.
+/// Returns an external method as a subject: `command`, a shell command that follows the subject protocol
+/// (experiments/subjects/README.md). It is started for each running subject at the first question. It fails by an end,
+/// by a wrong line, or by no line within `limit` of a question, the announcement of its bodies included. The next
+/// question then restarts it. A declined question is `Outcome::not_asked`. It is asked what its hello takes; without a
+/// hello, collisions of any bodies in any poses. After three time-outs in a size class, if it answered fewer questions
+/// there, it is asked nothing of that size or larger. A size class has twice the faces of the one before.
 verify::Object_subject subject_command(const std::string& name, const std::string& command,
                                        std::chrono::milliseconds limit,
                                        const std::optional<subject_lines::Hello>& hello = std::nullopt);
@@ -29,7 +29,7 @@ verify::Object_subject subject_command(const std::string& name, const std::strin
 /// True when the subject's hello names the distance or `within`.
 bool tells_distances(const verify::Object_subject& subject);
 
-/// Returns the same program as a subject of points, rays and linear motions; nothing where its hello does not name
+/// Returns the same program as a subject of points, of rays, or of motions; nothing where its hello does not name
 /// these. Motions that turn are not asked. Its answer is one number: a place, or the first t.
 std::optional<verify::Point_subject> point_command(const verify::Object_subject& subject,
                                                    std::chrono::milliseconds limit);

@@ -28,10 +28,10 @@ enum class Kind { collide, relation, within, distance, inside, ray, first_contac
 inline constexpr std::array all_kinds = {Kind::collide, Kind::relation, Kind::within,        Kind::distance,
                                          Kind::inside,  Kind::ray,      Kind::first_contact, Kind::triangles};
 
-/// Returns the name that hellos and lines have for it; that of `collide` is a question's instead.
+/// Returns the name that hellos and lines have for it. They name `collide` by its question instead: surface or solid.
 const char* to_string(Kind kind);
 
-/// What a subject says of itself before it answers. What it does not say is the widest: it may be asked all.
+/// What a subject says of itself before it answers. An entry that it leaves out excludes nothing.
 struct Hello {
   std::string text;                    ///< the line
   std::string bodies = "any";          ///< "convex", "manifold", "closed" or "any"

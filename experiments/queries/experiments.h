@@ -8,16 +8,18 @@ namespace tetracone::experiments {
 /// The experiments of queries. Each writes its rows to `out`, and prints them as a table. Each throws
 /// covering::Input_error when `out` cannot be written.
 
-/// Measures how fast all contacts of two colliding bodies of 7172 triangles are found, and how many of FCL's are wrong.
-/// It asks in turn the poses of contour and circular trajectories in which surfaces meet, and keeps the fastest time of
-/// each. `race_frames` counts the poses of each trajectory, including those in which the bodies are apart. Writes
-/// out/contacts.csv, one row per method and trajectory.
+/// Measures how fast all contacts of two colliding bodies of 7172 triangles are found, and how many of FCL's pairs of
+/// faces are wrong. Our pairs are the truth. The methods are asked in turn, in those poses of contour and circular
+/// trajectories in which surfaces meet. The fastest time of each pose counts. `race_frames` is the number of poses of a
+/// trajectory, those of bodies apart included; the circular one has eight circles. Writes out/contacts.csv, one row per
+/// method, object and trajectory.
 void run_contacts(const Experiment_options& options);
 
 /// Measures the cost and the error of a distance: the fast tree, exact and in double, against FCL's trees in one run.
 /// The bodies are a star-shaped body against itself on both trajectories, of about 7000 triangles and, with `full`,
-/// 70000; and cubes that touch or are 2^-k apart. It also asks whether bodies are within a tenth of their size. Writes
-/// out/distance.csv, one row per subject and trajectory.
+/// 71,000; and cubes that touch or are 2^-k apart. On the trajectories our exact distances are the truth. It also asks
+/// whether bodies are within a tenth of their size. Writes out/distance.csv, one row per trajectory, size, subject and
+/// question.
 void run_distance(const Experiment_options& options);
 
 /// Measures the cost of the exact first contact of two moving bodies, in static questions of the same tree. It also
@@ -30,9 +32,9 @@ void run_distance(const Experiment_options& options);
 void run_moving_bodies(const Experiment_options& options);
 
 /// Measures the cost of exits and depths of a star-shaped body that overlaps itself turned, beside the first contact of
-/// the reversed translation. The bodies have 200 and 1000 triangles and, with `full`, 7172. A hundredth or a third of
-/// their size is left to go in a random direction, in `race_frames` / 50 places each. Depths are bracketed to 1e-9 and
-/// to 1e-3. Writes three tables:
+/// the reversed translation. The bodies have 200 and 1000 triangles and, with `full`, 7172. Each has `race_frames` / 50
+/// places of two kinds. In shallow ones the last exit along a random direction is a hundredth of the body's size, and
+/// depths are bracketed to 1e-9. In deep ones it is a third, and they are bracketed to 1e-3. Writes three tables:
 /// - out/penetration.csv: one row per body, overlap and question;
 /// - out/penetration_widths.csv: how narrow a bracket is after more and more boxes of translations;
 /// - out/penetration_peers.csv: how far off other libraries are on convex pairs.
@@ -41,9 +43,9 @@ void run_penetration(const Experiment_options& options);
 /// Measures the cost of locating a point in a solid, and of the first hit of a ray. The methods are the table over
 /// cones, the boxes of the fast tree, the paper's tetra-tree, exact and in double, and CGAL's Side_of_triangle_mesh and
 /// AABB_tree. The bodies are two generated ones of 7,000 and 70,000 triangles, and `meshes`. Points are random in their
-/// box and within 1e-3 of their surface, `points` of each, and as many rays. Times are of the processor; set-up begins
-/// with the file. The truth judges every answer. Writes out/points.csv. Throws covering::Input_error for an invalid
-/// model.
+/// box and within 1e-3 of their surface, `points` of each (`full`: 20 times as many), and as many rays. Times are of
+/// the processor; set-up begins with the file. The truth judges every answer. Writes out/points.csv. Throws
+/// covering::Input_error for an invalid model, and for one with faces that are no triangles.
 void run_points(const Experiment_options& options);
 
 /// Measures the relation and the overlap of boxes and of bodies of 7172 triangles that collide, against `collide` and

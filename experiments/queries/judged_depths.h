@@ -6,8 +6,8 @@
 
 namespace tetracone::experiments {
 
-/// Returns how far the depths of other libraries are from the exact one, for convex pairs whose interiors meet: a row
-/// per shape and peer. A row counts the pairs, and of these the answers that are
+/// Returns how far the depths of other libraries are from the exact one, for convex pairs whose interiors meet. The CSV
+/// has a row per shape and peer. A row counts the pairs, and of these the answers that are
 ///
 /// - `apart`: the peer says that the bodies are apart;
 /// - `failed`: it threw;
@@ -16,8 +16,8 @@ namespace tetracone::experiments {
 /// - `off_millionth`, `off_hundredth`: off by more than this part of the depth, of those above 0.
 ///
 /// `mean_off` and `most_off` are the mean and the largest error of those above 0, as a part of the depth. `ns` is the
-/// peer's mean time, and `exact_ns` ours. Each shape has `pairs` pairs: boxes turned, boxes in one frame, and hulls of
-/// 100 points of a sphere.
+/// peer's mean time, and `exact_ns` ours. The shapes are boxes turned, boxes in one frame, and hulls of 100 points of a
+/// sphere; each has `pairs` pairs. Requires pairs >= 1.
 std::string judged_depths(int pairs, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

@@ -26,8 +26,8 @@ using Cgal_mesh = CGAL::Surface_mesh<Exact_predicates::Point_3>;
 using Cgal_tree =
     CGAL::AABB_tree<CGAL::AABB_traits<Exact_predicates, CGAL::AABB_face_graph_triangle_primitive<Cgal_mesh>>>;
 
-/// Returns points at random in a box a tenth larger than the body. With `near_surface`, each is within 1e-3 of a random
-/// point of a random triangle, where 1 is half of the body's largest extent.
+/// Returns points at random in a box a tenth larger than the body's. With `near_surface`, each is within 1e-3 of a
+/// random point of a random face, where 1 is half of the body's largest extent; this requires triangles.
 inline std::vector<std::array<double, 3>> points_of(const covering::Polyhedron& body, bool near_surface, int count,
                                                     verify::Random& random)
 {
@@ -109,6 +109,7 @@ class Column_truth {
     return winding != 0 ? 1 : -1;
   }
 
+  /// Returns the same, by all triangles in rationals.
   long in_rationals(const Point& p) const
   {
     const verify::Placed_body moved(*dot_, kernel::Pose::translation(p[0], p[1], p[2]));
@@ -136,8 +137,8 @@ class Column_truth {
 
 inline constexpr long no_face = -1;
 
-/// Returns the first face that a ray meets, by CGAL's exact predicates, with rational t. Requires a ray that lies in
-/// the plane of no face.
+/// Returns the face of the least t among `faces`, of equal ones the least; `no_face` if there are none. t is rational.
+/// Requires that the ray meets all of these faces, and lies in the plane of none.
 template <class Faces>
 long first_of(const covering::Polyhedron& mesh, const tetratree::Ray& ray, const Faces& faces)
 {

@@ -11,8 +11,9 @@ namespace tetracone::experiments {
 /// Measures how much of a frame a budget decides. A thousand wandering bodies of 760 triangles get budgets of 1/32 to 4
 /// times the median time of a frame without a budget, which another scene measures. Each frame is asked by itself, and
 /// then all frames in a row by one scene, which continues with the pairs that it left undecided. Scenes without a
-/// budget judge the decided pairs; the distance judges the bound of the undecided ones. Writes out/budget.csv, one row
-/// per budget and way of asking, over all frames except the first.
+/// budget judge the decided pairs; the distance judges the bound of the undecided ones. There are `race_frames` / 20
+/// frames. Writes out/budget.csv, one row per budget and way of asking. Rows leave out the first frame, except in
+/// `wrong`.
 void run_budget(const Experiment_options& options);
 
 /// Measures the gain of remembering the last pose against a body's motion from one pose to the next. Smooth walks of
@@ -22,15 +23,16 @@ void run_coherence(const Experiment_options& options);
 
 /// Measures the fraction of all nodes and tables that the frames of a scene need. 200 bodies of 7000 triangles, each
 /// with its own model, are drawn to the middle, so that ever more come near one another. Two scenes play the same
-/// frames: one builds on demand, the other builds its trees first. Writes out/demand.csv, one row per frame, with the
-/// totals of nodes, questions and time so far.
+/// `race_frames` / 10 frames: one builds on demand, the other builds its trees first. Writes out/demand.csv, one row
+/// per frame, with the nodes, bytes, signs and time so far.
 void run_demand(const Experiment_options& options);
 
 /// Measures how fast the colliding pairs of many bodies are found, frame after frame. The methods are `Scene` on one
 /// thread and on two, our queries on the pairs of CGAL's box intersection, and the scenes of three libraries. These are
-/// FCL, Bullet and ODE. All are asked on the same poses in one run. Each answer is compared with the truth in
-/// rationals: on all frames for a thousand bodies, on the last frame for more. Writes out/scenes.csv, one row per scene
-/// and method. `full` adds 10^5 bodies, and bodies of 7000 triangles.
+/// FCL, Bullet and ODE. All are asked on the same poses in one run. Answers are compared with the truth in rationals:
+/// on all frames for a thousand bodies, on the last frame for more. For 10^5 bodies, only a tenth of the pairs are
+/// compared. Writes out/scenes.csv, one row per scene and method. `full` adds 10^5 bodies, and bodies of 7000
+/// triangles.
 void run_scenes(const Experiment_options& options);
 
 }  // namespace tetracone::experiments

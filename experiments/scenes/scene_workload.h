@@ -13,11 +13,11 @@ namespace tetracone::experiments {
 
 /// Many moving bodies, made from a seed: the kinds of scenes of Broadmark (Serpa and Rodrigues, "Broadmark: A Testing
 /// Framework for Broad-Phase Collision Detection Algorithms", 2020), and two more.
-///  - brownian: each body wanders and turns slightly about its start;
+///  - brownian: each body takes a random step and turns slightly in each frame;
 ///  - fall: bodies fall freely, each from its own height, and begin again at the top;
 ///  - gravity: bodies are drawn to the middle, and go through it;
 ///  - thin: long thin bodies turn in place;
-///  - resting: one body in a hundred wanders, the others rest.
+///  - resting: one body in a hundred moves as in brownian, the others rest.
 struct Scene_workload {
   std::string kind, model;
   std::vector<covering::Polyhedron> models;  ///< triangles

@@ -33,9 +33,9 @@ struct Race_course {
 /// about it.
 double star_share(const covering::Polyhedron& polyhedron);
 
-/// Triangle meshes of a given size by their name. "blob" (star-shaped) and "knot" (genus 1) are generated at any size.
-/// The others are libcgal-demo's, decimated and normalised: "bunny", "dino", "camel" (on four legs), "anchor" (genus 4)
-/// and "elephant".
+/// Triangle meshes of about a given size by their name. "blob" (star-shaped) and "knot" (genus 1) are generated at any
+/// size. The others are libcgal-demo's, normalised, and decimated if they are larger: "bunny", "dino", "camel" (on four
+/// legs), "knot2", "anchor" (genus 4) and "elephant".
 class Race_objects {
  public:
   /// `models` is the folder that fetch_models.sh filled.
@@ -49,15 +49,15 @@ class Race_objects {
   std::map<std::pair<std::string, std::size_t>, covering::Polyhedron> made_;
 };
 
-/// The object against itself, with B 1 / ratio as large, on `trajectories` consecutive trajectories of JS08 section 4,
-/// "circular" or "contour", of `frames` poses each. If B does not turn, the scenario's name tells it. Requires ratio a
-/// power of two.
+/// Returns the object against itself, with B 1 / ratio as large, on `trajectories` consecutive trajectories of JS08
+/// section 4, "circular" or "contour", of `frames` poses each. If B does not turn, the scenario's name tells it.
+/// Requires triangles, and a ratio that is a power of two.
 Race_course on_trajectory(const covering::Polyhedron& object, const std::string& name, const std::string& trajectory,
                           double ratio, int frames, std::uint64_t seed, int trajectories = 1,
                           Turning turning = Turning::yes);
 
-// Exactly degenerate contact: the bodies are turned so that no face is parallel to an axis, in poses whose doubles are
-// exact. Every answer takes the exact path.
+// Contact and near contact. In the first three, the bodies are turned so that no face is parallel to an axis. All of
+// their numbers are exact in doubles, so the contact is exactly degenerate.
 
 /// A cube on another, shifted sideways: they share a part of a face.
 Race_course stacked_boxes(int frames, std::uint64_t seed);
@@ -65,8 +65,8 @@ Race_course stacked_boxes(int frames, std::uint64_t seed);
 Race_course face_on_face(int squares, int frames, std::uint64_t seed);
 /// The plates of `face_on_face`, one ulp apart: nothing collides, and every near pair has to be decided.
 Race_course sliding_apart(int squares, int frames, std::uint64_t seed);
-/// A star-shaped shell inside itself enlarged by 3 %, turned and shifted slightly: two surfaces nearly parallel and
-/// close everywhere; nothing collides.
+/// A star-shaped body inside itself enlarged by 3 %, turned and shifted slightly in rounded poses. The surfaces are
+/// nearly parallel and close everywhere, but do not meet; the solids always collide.
 Race_course shell_in_shell(std::size_t triangles, int frames, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

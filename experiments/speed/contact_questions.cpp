@@ -161,7 +161,7 @@ Contact_question contacts_of_triangles(const Shared_workload& w)
   return asked;
 }
 
-/// One motion is asked in so many poses: its truth takes as long as some hundred others.
+/// A motion is asked of one pose in this many: its truth takes as long as that of some hundred other cases.
 constexpr std::size_t motion_stride = 4;
 
 /// B moves along the way from A's place to B's, from twice as far until it has gone half of the way into A.

@@ -22,10 +22,10 @@ class Answers {
  public:
   virtual ~Answers() = default;
 
-  /// Answers case k, and returns the verdict (contact_verdicts.h).
+  /// Answers case k, and returns the verdict: 0 right, 1 or -1 wrong (contact_verdicts.h).
   virtual int verdict(std::size_t k) = 0;
 
-  /// Returns the nanoseconds of the last answer, without its verdict.
+  /// Returns the nanoseconds that the last answer took, its judgement excluded.
   virtual std::optional<double> own_ns() const = 0;
 
   /// Returns the work since the last call, and the nodes and bytes of the trees, as far as the method counts them.
@@ -54,7 +54,7 @@ struct Named_question {
   std::function<Contact_question()> make;
 };
 
-/// Returns the questions, of `rotations` cases each, and fewer motions:
+/// Returns the questions, of `rotations` cases each, and a fourth as many motions:
 /// - contacts and distances of the study's workloads in exact and near contact;
 /// - motions of their cubes through a contact of faces, edges or vertices, and contacts of their triangles;
 /// - points and rays in degenerate positions to a body of flat faces;

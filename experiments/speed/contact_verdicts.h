@@ -11,10 +11,10 @@
 
 #include <optional>
 
-/// How much contact an answer tells of: 0 for what there is, which is right; 1 for more, -1 for less.
+/// Verdicts on answers: 0 for a right one, 1 for one that tells of too much contact, -1 for too little.
 namespace tetracone::experiments {
 
-/// Returns the verdict on a list. Requires sorted lists.
+/// Returns the verdict on a list: -1 if an element is missing, else 1 if one is invented. Requires sorted lists.
 template <class List>
 int verdict(const List& told, const List& truth)
 {
@@ -22,8 +22,8 @@ int verdict(const List& told, const List& truth)
   return value == right ? 0 : value < right ? -1 : 1;
 }
 
-/// Returns the verdict on a distance. Only the double nearest to the root of `square` is right. Where the method
-/// rounds, every distance above 0 is right for bodies apart.
+/// Returns the verdict on a distance. Only the double nearest to the root of `square` is right. If the method rounds,
+/// every distance above 0 is right for bodies apart. A distance that is too small tells of too much contact.
 inline int verdict(double distance, const kernel::Rational& square, bool is_rounded)
 {
   const bool is_right = is_rounded ? (distance > 0) == (sgn(square) > 0) : verify::is_nearest_root(distance, square);

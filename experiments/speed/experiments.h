@@ -32,8 +32,9 @@ void run_peers(const Experiment_options& options);
 void run_scaling(const Experiment_options& options);
 
 /// Runs the robustness and time study. Every subject is asked on the trajectories of JS08 section 4 and on exactly
-/// degenerate contacts. Its answers are judged by the truth and its time is measured. Writes out/study.csv, one row for
-/// each workload, question and subject, and draws the report.
+/// degenerate contacts. Its answers are judged by brute force in rationals, and its time is measured. Writes
+/// out/study.csv, one row for each workload, question and subject. Draws the report, unless `rows_alone`. `full`: 20
+/// times as many poses.
 void run_study(const Experiment_options& options);
 
 /// Measures what exactness costs in contact: the adaptive kernel, double and EPECK on one tree, and FCL, on the study's

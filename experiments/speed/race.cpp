@@ -47,7 +47,8 @@ std::vector<std::size_t> spread_poses(const Race_course& course)
   return numbers;
 }
 
-/// Empties the processor's caches by reading as many bytes as the system reports as their size.
+/// Empties the processor's caches by writing to twice as many bytes as the system reports for the largest, and to at
+/// least 64 MB.
 void empty_caches()
 {
   constexpr std::size_t line = 64, least = std::size_t(64) << 20;

@@ -16,7 +16,7 @@ namespace tetracone::experiments {
 /// The cost of preparing two bodies.
 struct Build {
   double milliseconds = 0;             ///< the faster of two builds, if they are fast
-  std::size_t bytes = 0;               ///< growth of the heap, the contestant's copy of the meshes included
+  std::size_t bytes = 0;               ///< growth of the heap and mapped bytes; the contestant's meshes included
   double with_first_milliseconds = 0;  ///< if nodes are built on demand: building and asking the first hundred poses
   std::size_t nodes_after_one = 0, nodes_after_first = 0;
   /// For a `clocked_cold` contestant: milliseconds to prepare it (on demand where it can) and to answer the first
@@ -58,8 +58,9 @@ class Race {
 
   const std::vector<Prepared_contestant>& contestants() const { return contestants_; }
 
-  /// Asks all contestants that know the question. After its first pass, a contestant that has used `seconds` of
-  /// processor time is asked no more. Returns nothing for one that was not asked.
+  /// Asks all contestants that know the question, in at most `passes` passes. After its first pass, a contestant that
+  /// has used `seconds` of processor time is asked no more. Returns nothing for one that was not asked. It also returns
+  /// nothing for a program that declined a pose or failed, with a line on stderr.
   std::vector<std::optional<Timing>> run(kernel::Question question, int passes, double seconds);
 
  private:

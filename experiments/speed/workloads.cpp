@@ -78,7 +78,7 @@ Workload degenerate(const std::string& scenario, const std::string& a_name, Poly
           std::move(b), 1,        {},     {},     {Question::surface, Question::solid}};
 }
 
-/// 2^-k, exactly.
+/// 2^k, exactly.
 Rational power_of_two(int k) { return Rational(std::ldexp(1.0, k)); }
 
 /// Two unit cubes that share a face, an edge or a vertex.

@@ -41,8 +41,8 @@ inline Point image(const std::array<double, 12>& m, const Point& p)
   return x;
 }
 
-/// Returns the body's triangles, or fans of its faces from an old harness. Returns nothing where a face has a hole or a
-/// triangle has a corner twice, which these libraries do not take.
+/// Returns the body's triangles, or fans of its faces if an old harness gave no triangles. Returns nothing for fans of
+/// a face with a hole, and for a triangle that has a corner twice, which these libraries do not take.
 inline std::optional<Body> body_of(const json& model)
 {
   Body body{model["vertices"], {}};

@@ -37,7 +37,8 @@ struct Model_file {
 /// Returns the holder with its face as in the file: triangles that replace a face become that face.
 Holder named_as_in_file(Holder holder, const Model_file& model);
 
-/// Returns a text with the options that would close an open polyhedron, or that merging and orientation would not.
+/// Returns, for an open polyhedron, a text that names the options that would close it, or says that orientation would
+/// not.
 std::string what_closes(const covering::Polyhedron& polyhedron);
 
 /// Returns a model without a file of its own, from a polyhedron with planar faces.

@@ -40,7 +40,8 @@ struct Motion_pairs {
 /// Reads the motions of the files. A file with one pose is paired with every pose of the other file. A path moves from
 /// each pose to the next. A line on stderr reports that a matrix was replaced by the motion of a quaternion near it.
 /// Throws covering::Input_error for bad files, for numbers of poses that do not match, and for a path of one pose.
-/// Quaternions between which one is 0 throw it too. Throws CLI::ValidationError for an unknown kind.
+/// Quaternions between which one is 0 throw it too. Throws CLI::ValidationError for an unknown kind, and for a path
+/// beside poses other than --pose-a0.
 Motion_pairs read_motion_pairs(const Motion_names& names);
 
 }  // namespace tetracone::experiments

@@ -12,8 +12,8 @@
 
 namespace tetracone::experiments {
 
-/// A progress line on stderr: fraction done, count per second, time left. It appears only on a terminal, from the
-/// second second on.
+/// A progress line on stderr: fraction done, count per second, time left. It appears only on a terminal, after two
+/// seconds. The destructor clears it.
 class Progress {
  public:
   Progress(std::string what, std::size_t total)

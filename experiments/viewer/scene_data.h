@@ -15,8 +15,9 @@ constexpr std::size_t most_poses = 400'000;
 
 /// Returns all that a page shows of a scene file, as one line of JSON; experiments/viewer/page/scene.js reads it. It
 /// has `models`, each with `vertices` and the corners of its `triangles`; `bodies`, each by its model; `frames`, each
-/// with its poses; and `pairs`, the colliding ones of each frame. Throws covering::Input_error for bad input, for more
-/// than `most_poses` and for models of more triangles than a page of two bodies takes.
+/// with its poses; and `pairs`, the colliding ones of each frame. A model without a body is empty. Throws
+/// covering::Input_error for bad input and for a scene without a frame. It also throws it for more than `most_poses`
+/// poses, and for models of more than `most_triangles` triangles (view_data.h).
 std::string scene_data(const std::filesystem::path& file, kernel::Question question, const Model_options& models);
 
 }  // namespace tetracone::experiments

@@ -12,15 +12,14 @@
 
 namespace tetracone::experiments {
 
-/// Limits of the triangles of all bodies. A page of more than `most_detailed` has no covering, nodes, hull or features;
-/// no page is made of more than `most_triangles`. Both take time linear in the triangles.
+/// Limits of the triangles of all bodies. A page of more than `most_detailed` has bodies, poses and answers alone; no
+/// page is made of more than `most_triangles`. Both take time linear in the triangles.
 constexpr std::size_t most_detailed = 50'000, most_triangles = 1'000'000;
 /// The largest number of pairs of leaves left by the paper's query for which features are computed.
 constexpr std::size_t most_leaf_pairs = 100'000;
 
-/// Returns the triangles by which every face is drawn: the face itself, or the triangles that cover it exactly. A face
-/// without such triangles is drawn by the triangles of its covering. Requires planar faces and the polyhedron's own
-/// covering.
+/// Returns the triangles by which the faces are drawn. They cover a face exactly; if no triangles do, they are those of
+/// its covering. Requires planar faces and the polyhedron's own covering.
 std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron& polyhedron,
                                                      const covering::Covering& covering);
 
@@ -50,7 +49,7 @@ std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron&
 ///  - `rays`, for one body: origin and direction, and the faces that each ray meets, with t.
 ///
 /// More than `most_detailed` triangles cause a line on stderr. Throws covering::Input_error for more than
-/// `most_triangles`, and CLI::ValidationError for a kernel in which the case's predicate does not exist.
+/// `most_triangles`, and CLI::ValidationError for an unknown kernel or, for a predicate's case, an unknown subject.
 std::string view_data(const View_scene& scene, const std::string& kernel, verify::Method method);
 
 }  // namespace tetracone::experiments

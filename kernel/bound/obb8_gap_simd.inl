@@ -25,6 +25,7 @@ HWY_INLINE Gap_along<Floats> Max(const Gap_along<Floats>& a, const Gap_along<Flo
           hn::IfThenElse(is_first, a.n1, b.n1), hn::IfThenElse(is_first, a.n2, b.n2)};
 }
 
+/// A policy of `largest_gap` that keeps the gap and its axis.
 struct Gap_and_axis {
   template <class Floats>
   HWY_INLINE Gap_along<Floats> operator()(Floats gap, Floats, Floats n0, Floats n1, Floats n2) const
@@ -43,8 +44,8 @@ HWY_INLINE Floats component_in_frame(const Test& test, int k, const Floats& n0, 
                 MulAdd(n1, test.load(test.boxes.axis[1][k]), Mul(n0, test.load(test.boxes.axis[0][k]))));
 }
 
-/// Returns the gap beyond a triangle's edge, which also stands for the centres' distance, and its axis: the normal n
-/// over `length`.
+/// Returns what `kept` keeps of the gap beyond a triangle's edge and of its axis: the distance `beyond` and the normal
+/// n, both over `length`. The gap takes the place of the centres' distance too.
 template <class Kept, class Test, class Floats, class Number>
 HWY_INLINE auto gap_beyond(const Kept& kept, const Test& test, const Floats& beyond, const Number& length,
                            const Floats (&n)[3], const Number& slack)

@@ -41,8 +41,9 @@ struct Relative_edges {
   Floats r02, r12, r22;  ///< edge 2
 };
 
-/// The distances of lanes beyond the triangle's two edges at its apex, along these edges' normals. `left_length` and
-/// `right_length` are upper bounds of the normals' lengths: sums of coordinates along the single box's edges.
+/// The distances of lanes beyond the triangle's two edges at its apex, along these edges' outward normals.
+/// `left_length` and `right_length` are upper bounds of the normals' lengths: sums of coordinates along the single
+/// box's edges. `left_normal` and `right_normal` are the opposite vectors, which lead from the lanes to the triangle.
 template <class Floats, class Number>
 struct Beyond_triangle {
   Floats left, right;
@@ -50,8 +51,8 @@ struct Beyond_triangle {
   Floats left_normal[3], right_normal[3];  ///< along the eight's axes
 };
 
-/// Returns the distances of the lanes' boxes, which have the extents e0, e1 and e2. The normals are (-base, left) and
-/// (base, right) along the single box's edges 1 and 2. They are no unit vectors.
+/// Returns the distances of the lanes' boxes, which have the extents e0, e1 and e2. The outward normals are (-base,
+/// left) and (base, right) along the single box's edges 1 and 2. They are no unit vectors.
 template <class Test, class Floats>
 HWY_INLINE auto beyond_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
 {

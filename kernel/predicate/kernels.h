@@ -27,7 +27,7 @@ using Rational_kernel = CGAL::Simple_cartesian<Rational>;
 ///   no answer depends on a rounded bound. The kernels that round bound without slack, in double; `Float` bounds in
 ///   float.
 /// - `Fixed`: the kernel for signs of points that no pose moves, when a model is prepared. It is K itself, or one that
-/// gives the same answers at less cost.
+///   gives the same answers at less cost.
 template <class K>
 struct Kernel_traits {
   static constexpr bool exact_signs = true, exact_motion = true;

@@ -13,10 +13,10 @@
 /// There are four known formulations of segment against triangle. This is the paper family's own: five signs of
 /// tetrahedra (Segura & Feito, WSCG 2001). They are the signs of the barycentric coordinates of one end with regard to
 /// the tetrahedron of the other end and the triangle. (Jimenez, Segura & Feito, CGTA 2010, cited as the detailed test
-/// in JS08 section 3.) It was chosen for three reasons.
+/// in JS08 section 3.) Touching counts: `Contact` names the features that meet. It was chosen for three reasons.
 /// - The sign [p, q, A, B] of an edge serves both triangles at that edge, so no crack opens between them in any kernel.
 /// - It extends to any planar face through its covering. A face is a signed sum of triangles W A B (JS08 Definition 1).
-/// The signs [p, q, W, A], [p, q, W, B], [p, q, A, B] tell in which of them the crossing lies.
+///   The signs [p, q, W, A], [p, q, W, B], [p, q, A, B] tell in which of them the crossing lies.
 /// - It needs no division and no point of intersection.
 ///
 /// Pluecker coordinates give the same five determinants; CGAL's formulation decides the same signs in another order.

@@ -13,9 +13,9 @@
 /// Points inside or outside a solid, each with a free segment to a given point. They prove what is next to that point.
 namespace tetracone::tetratree {
 
-/// Appends a point that is inside of body `holder`, or outside, and a segment from it to x. The segment meets the
-/// surface at its end x at the earliest. It leads against `along` where that is given. False where none of the points
-/// that are tried has both.
+/// Appends a point that is inside of body `holder` or, unless `is_inside`, outside, and a segment from it to x. The
+/// segment meets the surface at its end x at the earliest. With `along`, it leads against that direction. False where
+/// none of the points that are tried has both.
 inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {

@@ -1,3 +1,6 @@
+// Certificates of collisions and distances, and the text of all answers. Declarations have the contracts:
+// tetratree/door/certificate.h, and certificate_data.h for what only this room uses.
+
 #include "tetracone/tetratree/door/certificate.h"
 
 #include "tetracone/kernel/number/number.h"

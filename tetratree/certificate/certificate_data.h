@@ -64,6 +64,7 @@ struct Certificate::Data {
     return {groups(), {pose_a, pose_b}};
   }
 
+  /// Returns the only body. Throws Error for a certificate of two bodies.
   Part& only()
   {
     kernel::require_sound_floating_point();
@@ -71,6 +72,7 @@ struct Certificate::Data {
     return parts[0];
   }
 
+  /// Returns the beginning of an answer; the second one ends before the answer's value.
   static std::string begin(std::string_view ask) { return "{\"ask\":" + tetratree::json_text(ask); }
 
   static std::string begin(std::string_view ask, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
@@ -87,6 +89,7 @@ struct Certificate::Data {
     return text;
   }
 
+  /// Closes an answer, and adds it.
   void keep(std::string answer) { answers.push_back(std::move(answer) + "}"); }
 
   /// Counts an answer that has no proof.
@@ -111,6 +114,7 @@ struct Certificate::Data {
   /// True when both bodies have the same faces, by the places of their corners.
   bool have_same_faces(const tetratree::Placed_pair& pair) const;
 
+  /// Returns a body as JSON: its file or its faces, its cuts, and the groups that proofs have opened.
   std::string text_of(const Part& part) const;
 };
 

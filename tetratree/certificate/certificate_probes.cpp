@@ -1,3 +1,5 @@
+// Certificates of points and of rays, about one body.
+
 #include "tetracone/covering/model.h"
 #include "tetracone/kernel/predicate/ray_face.h"
 #include "tetracone/tetratree/certificate/certificate_data.h"

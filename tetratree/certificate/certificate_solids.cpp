@@ -1,3 +1,5 @@
+// Certificates of relations, exits, depths and first contacts. Those that have no proof are left out.
+
 #include "tetracone/tetratree/certificate/approach.h"
 #include "tetracone/tetratree/certificate/certificate_data.h"
 #include "tetracone/tetratree/certificate/sides.h"

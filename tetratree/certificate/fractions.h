@@ -60,7 +60,7 @@ inline kernel::Exact_number exact(const kernel::Rational& x)
   for (const char digit : digits)
     value = value * kernel::Exact_number(16) + kernel::Exact_number(digit <= '9' ? digit - '0' : digit - 'a' + 10);
   kernel::Rational unit(1, x.get_den());
-  // The factors 2^-1000 and less are doubles.
+  // A smaller unit may be no double, so 2^-1000 is taken out of it, as often as is needed.
   for (; unit < kernel::Rational(0x1p-1000); unit *= kernel::Rational(0x1p1000))
     value = value * kernel::Exact_number(0x1p-1000);
   value = value * kernel::Exact_number(unit.get_d());

@@ -18,10 +18,10 @@ namespace tetracone::tetratree {
 /// Throws Error for an answer that is not proved.
 [[noreturn]] inline void fail_proof(const std::string& what) { throw Error("certificate: " + what); }
 
-/// Integers without a pattern that a proof tries.
+/// Pseudo-random integers that a search for a proof tries. Every object gives the same ones.
 class Random_integers {
  public:
-  /// Returns an integer of so many bits about 0.
+  /// Returns an integer from -2^(bits - 1) to 2^(bits - 1) - 1.
   double operator()(int bits)
   {
     state_ = state_ * 1664525u + 1013904223u;  // Numerical Recipes' generator

@@ -84,8 +84,10 @@ struct Both_trees {
   std::uint64_t opened = 0, compared = 0;  ///< pairs opened and boxes compared so far
 };
 
-/// The reason why a descent has stopped. Nothing is left, or the top pair is two leaves. Or the larger box of the top
-/// pair has a node that must be made first.
+/// The reason why a descent has stopped:
+/// - `nothing_left`: the stack is empty;
+/// - `leaves`: the top pair is two leaves;
+/// - `no_child`: the node below the larger box of the top pair must be made first.
 enum class Stop { nothing_left, leaves, no_child };
 
 /// The number of openings after which a descent may open four pairs per round instead of two.

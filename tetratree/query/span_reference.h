@@ -20,7 +20,8 @@ namespace tetracone::tetratree {
 /// In the span's common coordinates the reference places local points p of A at R_0 p and q of B at R_1 q + r. Both are
 /// similarities near the middle of the span, with entries in double, taken as exact. Coefficient i of the span, divided
 /// by its weight, places them at C_0i p and C_1i q + c_i. M, m and H, h come from the mean and half the difference of
-/// the first and last coefficients. The x_i go from -1 to 1 in equal steps. Then, except for a rest,
+/// the first and last coefficients. The x_i go from -1 to 1 in equal steps. Then, except for a rest (the distance of
+/// the inner coefficients from the line through the outer ones),
 ///
 ///     C_ki = R_k + M_k + x_i H_k,   c_i = r + m + x_i h.
 ///
@@ -67,8 +68,9 @@ class Span_reference {
   /// True when the reference bounds the motion.
   bool is_certifiable() const { return is_certifiable_; }
 
-  /// Writes the test of a node of body `body` against box `lane` of a node of the other. `apex` says where a triangle
-  /// lies in that box. The reference must outlive the test, which is meaningless unless `is_certifiable`.
+  /// Writes the test of the node `boxes` of body `body` against box `lane` of the node `from` of the other body. `apex`
+  /// says where a triangle lies in that box. `known` are the times outside of which they are known to be apart. The
+  /// nodes and the reference must outlive the test, which is meaningless unless `is_certifiable`.
   void ask(kernel::Sweep_test& test, std::size_t body, const kernel::Obb8& boxes, const kernel::Obb8& from, int lane,
            float apex, const kernel::Known_times& known) const
   {
@@ -87,11 +89,11 @@ class Span_reference {
   /// Upper bound of the relative difference between R_k^T over the square of its scale, which maps differences into
   /// local units, and the inverse of R_k. Proved in verify/proofs/reference_proofs.h.
   static constexpr double direction_error = 0x1p-19;
-  /// Upper bound of the length of every local point of a box: of a centre and a radius. Proved in
-  /// verify/proofs/reference_proofs.h.
+  /// Upper bound of the length of the local coordinates of every point of a box: of its centre plus its radius. Proved
+  /// in verify/proofs/reference_proofs.h.
   static constexpr double most_local = 4;
 
-  /// Upper bound of what gaps lose to the rest, wherever bodies are, in common units.
+  /// Upper bound of the loss of a gap by the rest and by rounding, wherever the bodies are, in common units.
   double rest() const { return rest_; }
 
  private:

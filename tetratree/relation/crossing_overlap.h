@@ -107,7 +107,8 @@ class Interval_placing {
   std::array<std::array<Interval, 12>, 2> map_;
 };
 
-/// True when vertex v of a body is in the other solid. It is asked for vertices that are not on the other surface.
+/// True when vertex v of a body is in the other solid. It is asked only for vertices off the other surface, while the
+/// rounding mode is to nearest.
 using Is_vertex_inside = std::function<bool(int body, Index v)>;
 
 /// The overlap of two simple solids in general position. All that their surfaces share are segments. At each end an
@@ -117,8 +118,8 @@ class Crossing_overlap {
  public:
   using N = typename Placing::Number;
 
-  /// Requires `is_general`, and what `is_vertex_inside` requires. Throws CGAL::Uncertain_conversion_exception where
-  /// intervals do not decide a sign.
+  /// Sums up the overlap; `is_vertex_inside` is asked in here alone. Requires `is_general` and, for intervals, upward
+  /// rounding. Throws CGAL::Uncertain_conversion_exception where intervals do not decide a sign.
   Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found,
                    const Is_vertex_inside& is_vertex_inside)
       : placing({&a, &b}),

@@ -8,7 +8,9 @@
 
 namespace tetracone::verify {
 
-/// Doubles from bytes: raw ones below `limit`, or small numbers, which meet more often. Zeros follow the last byte.
+/// Doubles from bytes. The first byte of each selects quarters of small integers, which meet more often, a small
+/// integer times a power of two, or raw bits. That byte replaces NaN and a number of at least `limit`. Bytes after the
+/// last one are 0.
 class Doubles {
  public:
   Doubles(const std::uint8_t* data, std::size_t size, double limit) : data_(data), size_(size), limit_(limit) {}

@@ -10,8 +10,7 @@
 
 namespace tetracone::verify {
 
-/// A file of this process, in memory if there is such a folder, for readers that need a path. The destructor removes
-/// it.
+/// A file of this process for readers that need a path; it is in memory if /dev/shm exists. The destructor removes it.
 class Scratch_file {
  public:
   explicit Scratch_file(const std::string& suffix)

@@ -58,7 +58,7 @@ Predicate_case float_widened(Random& random, double bits);
 Predicate_case wild(Random& random, double exponents);
 Predicate_case tiny_fractions(Random& random, double exponent);
 
-// predicate_families_poses.cpp
+// predicate_families_poses.cpp: contacts under exact, rounded and nearly singular poses
 Predicate_case special_poses(Random& random, double which);
 Predicate_case true_rotation(Random& random, double largest);
 Predicate_case shear(Random& random, double largest);

@@ -51,28 +51,29 @@ Choice any_of(Random& random, const std::array<Choice, n>& choices)
   return choices[random.bits() % n];
 }
 
-/// A point of integers from -size to size.
+/// Returns a point of integers from -size to size.
 Point grid_point(Random& random, int size);
 
-/// Full mantissas in [-1, 1), to multiples of 2^-bits.
+/// Returns a point with coordinates in [-1, 1) that are multiples of 2^-bits.
 Point mantissa_point(Random& random, int bits);
 
-/// Four integer corners whose determinant is at least size^3 / 4, and not 0. The second is the origin when `anchored`.
+/// Returns four integer corners whose determinant has a magnitude of at least size^3 / 4, and is not 0. With
+/// `anchored`, v1 is the origin.
 Tetra tetrahedron(Random& random, int size, bool anchored = false);
 
-/// A tetrahedron with the origin on its boundary. It is at v1, on the edge v1 v2 or in the face v1 v2 v3, at
-/// coordinates of few bits.
+/// Returns a tetrahedron with the origin on its boundary: at v1, on the edge v1 v2 or in the face v1 v2 v3. The
+/// origin's barycentric coordinates have few bits.
 Tetra tetrahedron_at_origin(Random& random, int size = 8);
 
-/// A tetrahedron with v1 = 0 on which points with `bits` binary places are doubles: few bits of its own when they need
-/// many.
+/// Returns a tetrahedron with v1 = 0 on which points of barycentric coordinates of `bits` bits are doubles. If these
+/// need many bits, its own coordinates are -1, 0 and 1.
 Tetra tetrahedron_for(Random& random, int bits);
 
-/// A point strictly inside, at barycentric coordinates in sixteenths.
+/// Returns a point strictly inside, with barycentric coordinates in sixteenths.
 Point inner_point(Random& random, const Tetra& v);
 
-/// A point strictly inside the simplex of the first n corners of v1 v2 v3, n = 1, 2, 3, at barycentric coordinates of
-/// `bits` bits.
+/// Returns a point strictly inside the simplex of the first n corners of v1 v2 v3, n = 1, 2, 3, with barycentric
+/// coordinates of `bits` bits.
 Point element_point(Random& random, const Tetra& v, int n, int bits);
 
 /// a + s (b - a)
@@ -84,29 +85,29 @@ inline Point in_plane(const Tetra& v, const Rational& a, const Rational& b)
   return sum(sum(v[1], a, difference(v[2], v[1])), b, difference(v[3], v[1]));
 }
 
-/// Every coordinate down to a multiple of 2^-bits.
+/// Returns the nearest doubles of the coordinates, each rounded down to a multiple of 2^-bits.
 Point on_grid(const Point& x, int bits);
 
 // --- about a contact -------------------------------------------------------------------------------------------------
 
-/// Fine enough against tetrahedra of integers, and few bits.
+/// The usual `grid`: multiples of 2^-10 are fine beside tetrahedra of integers, and have few bits.
 inline constexpr int usual_grid = 10;
 
-/// Beyond x, which is on the boundary of v, as seen from an inner point: points that are outside v with all of their
-/// mixtures.
+/// Returns a point outside v, beyond the point x of its boundary as seen from an inner point, on multiples of 2^-grid.
 Point outward(Random& random, const Tetra& v, const Point& x, int grid = usual_grid);
 
-/// Fills q and r for a p on the boundary of v: on its other side, inside, through it, along it; on multiples of
-/// 2^-grid.
+/// Chooses q and r for a p on the boundary of v. Mostly both are outside. Else one is inside v, or q is beyond v as
+/// seen from p, or pq is along the face or edge. The points are on multiples of 2^-grid, except in the last case.
 void complete(Random& random, Scene& scene, int grid = usual_grid);
 
-/// Leaves p where it is or moves it clearly out of v or into it. Returns by how many ulps it is to be nudged at last.
+/// Leaves p where it is, or moves it clearly out of v or into it. Returns the number of ulps by which `nudge` is to
+/// move it at last.
 int moved_aside(Random& random, Scene& scene, int grid = usual_grid);
 
-/// Half of the time as they are, else in any order: then another face, edge or vertex is the one of v1 v2 v3.
+/// Permutes the corners of v in half of the calls. Then p is on another face, edge or vertex than those of v1 v2 v3.
 void relabel(Random& random, Scene& scene);
 
-/// A coordinate of p changed by `ulps`: its own or, where it is 0, those of the largest coordinate of p q r.
+/// Adds `ulps` ulps to a random coordinate of p: its own ulps or, if it is 0, those of the largest coordinate of p q r.
 void nudge(Random& random, Predicate_case& c, int ulps);
 
 // --- placing ---------------------------------------------------------------------------------------------------------
@@ -124,26 +125,26 @@ Frames any_frames(Random& random);
 /// Frames a and b truly rotated, by quaternions of integers up to `size`.
 Frames true_rotations(Random& random, int size);
 
-/// The point that the pose maps to x.
+/// Returns the point that the pose maps to x.
 Point preimage(const Pose& pose, const Point& x);
 
-/// The case whose placed points are the scene, scaled and moved by `common`, exactly; nothing when a point is no double
-/// in its frame.
+/// Returns the case whose placed points are the scene, scaled and moved by `common`, exactly; nothing when a point is
+/// no double in its frame.
 std::optional<Predicate_case> placed(const Scene& scene, const Frames& frames);
 
-/// The same, all points in one frame where theirs cannot have them.
+/// Returns `placed` of these frames or, where that is nothing, of `common` alone.
 std::optional<Predicate_case> placed_somehow(const Scene& scene, const Frames& frames);
 
-/// The same, and at last p changed by `ulps`, as `nudge` does.
+/// Returns `placed_somehow`, with p changed at last by `nudge`.
 std::optional<Predicate_case> finished(Random& random, const Scene& scene, const Frames& frames, int ulps);
 
-/// The same, relabelled before, in any frames.
+/// Returns `finished` of the relabelled scene in `any_frames`.
 std::optional<Predicate_case> finished(Random& random, Scene scene, int ulps);
 
-/// The case of the nearest doubles in the frames: exact to an ulp or two.
+/// Returns the case of the nearest doubles in the frames. Its placed points differ from the scene by an ulp or two.
 Predicate_case placed_nearly(const Scene& scene, const Frames& frames);
 
-/// Everything times 2^exponent, translations too. Requires that nothing is lost.
+/// Returns the case with all lengths times 2^exponent, translations too. Requires that nothing is lost.
 Predicate_case rescaled(Predicate_case c, int exponent);
 
 /// Calls `attempt`, which draws anew each time, until it makes a case.
@@ -154,11 +155,11 @@ Predicate_case settled(const Attempt& attempt)
     if (std::optional<Predicate_case> c = attempt()) return *c;
 }
 
-/// A contact in x of p with the boundary of v: completed, moved aside, relabelled, placed, nudged.
+/// Returns a contact of p = x with the boundary of v: completed, moved aside, relabelled, placed, nudged.
 std::optional<Predicate_case> contact(Random& random, const Tetra& v, const Point& x, const Frames& frames,
                                       int grid = usual_grid);
 
-/// A contact with v1, on the edge v1 v2 or in the face v1 v2 v3, of few bits, under these frames.
+/// Returns a contact with v1, with the edge v1 v2 or with the face v1 v2 v3, of few bits, under these frames.
 Predicate_case any_contact(Random& random, const Frames& frames);
 
 }  // namespace tetracone::verify::points

@@ -16,7 +16,7 @@ std::array<Number, 3> triple(const std::vector<Number>& in, int first)
   return {in[first], in[first + 1], in[first + 2]};
 }
 
-/// Points with one at 0, so that their differences from it are the inputs.
+/// Returns the differences of three points from one at 0: the inputs, rounded as differences are.
 template <class Number>
 std::array<std::array<Number, 3>, 3> differences(const std::vector<Number>& in)
 {
@@ -25,7 +25,7 @@ std::array<std::array<Number, 3>, 3> differences(const std::vector<Number>& in)
           kernel::difference(triple(in, 6), origin)};
 }
 
-/// A placed coordinate, with entries that may be fractions: inputs m0 m1 m2 t x y z.
+/// Returns the terms of a placed coordinate, with entries that may be fractions: inputs m0 m1 m2 t x y z.
 template <class Number>
 std::array<Number, 4> placed_terms(const std::vector<Number>& in)
 {
@@ -36,7 +36,8 @@ inline std::vector<Slice> slices_of_placed()
   return {{1, 0, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 0, 1}, {0, 0, 0, 1, 0, 0, 0}};
 }
 
-/// Factors on what a bound must cover, for a bound computed by `bound` of `inputs` numbers.
+/// Returns an upper bound of the factor by which rounding makes a bound too small. `bound()` computes the bound in
+/// `Rounding_count`.
 template <class Bound>
 Rational loss(const Bound& bound)
 {

@@ -6,8 +6,8 @@
 
 namespace tetracone::verify::proofs {
 
-/// Replaces vectors in the SIMD comparison of boxes: a number or, for a maximum, all numbers that it may be. With
-/// `fused`, a product and sum are rounded once, as by processors with FMA; else twice.
+/// Replaces a vector in the SIMD comparison of boxes: a number or, for a maximum, all numbers that it may be. With
+/// `fused`, a product and a sum are rounded once, as processors with FMA do; else twice.
 template <class Number, bool fused>
 class Axis_number {
  public:
@@ -38,7 +38,7 @@ class Axis_number {
   }
   friend Axis_number Max(const Axis_number& a, const Axis_number& b) { return joined(a, b); }
 
-  // A comparison returns its first operand: "greater than the slack" applies to each of these.
+  // A comparison returns its first operands, which the comparison of boxes holds against the slack.
   friend Axis_number Gt(const Axis_number& a, const Axis_number&) { return a; }
   friend Axis_number Or(const Axis_number& a, const Axis_number& b) { return joined(a, b); }
   friend Axis_number Not(const Axis_number& a) { return a; }

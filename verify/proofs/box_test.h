@@ -79,7 +79,7 @@ struct Box_test {
   }
 };
 
-/// Every compared gap, and the components of its axis along the axes of the eight boxes.
+/// All compared gaps, each with the components of its axis along the axes of the eight boxes.
 template <class Floats>
 struct All_gaps {
   std::vector<std::array<Floats, 4>> all;
@@ -91,6 +91,7 @@ struct All_gaps {
     return both;
   }
 };
+/// Makes `largest_gap` return all gaps in place of the largest.
 struct Keep_all {
   template <class Floats>
   All_gaps<Floats> operator()(const Floats& gap, const Floats&, const Floats& n0, const Floats& n1,
@@ -100,8 +101,8 @@ struct Keep_all {
   }
 };
 
-/// The gaps along all axes, by the comparison itself: 3 normals of the eight boxes, 3 of the single box, 9 cross
-/// products and, for a triangle, 2 more.
+/// Returns the gaps along all axes, by the comparison itself: 3 normals of the eight boxes, 3 of the single box, 9
+/// cross products and, for a triangle, 2 more.
 template <class Number, bool fused>
 std::vector<Number> gaps_of(const Box_test<Number, fused>& test, Edges edges)
 {

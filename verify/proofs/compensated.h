@@ -8,9 +8,9 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// The coefficient of one input in a number of a compensated sum, bounded in exact rationals. `high` + `low` differs
-/// from the exact sum by the rounding errors in adding remainders, which are counted; the remainders of the results are
-/// exact.
+/// Upper bound of the coefficient of one input in a number of a compensated sum, in exact rationals. The remainders of
+/// sums and products are exact. So the compensated sum differs from the exact one only by the rounding errors in adding
+/// remainders, which `lost` counts.
 class Remainder_share {
  public:
   explicit Remainder_share(double most = 0) : most_(most) {}
@@ -27,7 +27,7 @@ class Remainder_share {
   friend Remainder_share operator-(const Remainder_share& a) { return a; }
   friend Remainder_share abs(const Remainder_share& a) { return Remainder_share(a.most_, false); }
 
-  /// The rounding errors in adding remainders.
+  /// Upper bound of the rounding errors in adding remainders, since it was set to 0.
   static Rational& lost()
   {
     static thread_local Rational all = 0;

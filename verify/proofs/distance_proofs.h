@@ -13,8 +13,8 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// A coordinate of a point of a triangle, or of an edge if the last input is 0. Inputs: three coordinates, and two
-/// weights.
+/// Returns a coordinate of a point of a triangle, or of an edge if the last input is 0. Inputs: three coordinates, and
+/// two weights.
 template <class Number>
 Number coordinate_in_triangle(const std::vector<Number>& in)
 {
@@ -22,7 +22,7 @@ Number coordinate_in_triangle(const std::vector<Number>& in)
   return kernel::triangle_distance::point_in_triangle(std::array{a, b, c}, in[3], in[4])[0];
 }
 
-/// The gap of two corners along n: inputs n, one of B, one of A.
+/// Returns the gap of two corners along n. Inputs: n, one of B, one of A.
 template <class Number>
 Number gap_along(const std::vector<Number>& in)
 {
@@ -30,14 +30,14 @@ Number gap_along(const std::vector<Number>& in)
   return kernel::dot(n, triple(in, 3)) + kernel::dot(std::array{-n[0], -n[1], -n[2]}, triple(in, 6));
 }
 
-/// Inputs a, b, p.
+/// Returns the determinant by which a cone's side is decided. Inputs: a, b, p.
 template <class Number>
 Number cone_side(const std::vector<Number>& in)
 {
   return kernel::cone_determinant(triple(in, 0), triple(in, 3), triple(in, 6));
 }
 
-/// Inputs a, b, c, p.
+/// Returns the determinant by which the side of a triangle's plane is decided. Inputs: a, b, c, p.
 template <class Number>
 Number plane_side(const std::vector<Number>& in)
 {
@@ -64,11 +64,11 @@ inline Proved_bounds distance_proofs()
   bounds.push_back({"triangle_distance::length_rounding", of_triangles, Rational(td::length_rounding),
                     std::max(below, above), u, 1.34, "rationals"});
 
-  // Points of triangles whose largest coordinate R is in [1, 2): what holds there holds for every R but for underflow,
-  // which `Common_frame` has no part of. Weights are each at most 1. Where their sum is, the exact one may be u more,
-  // which moves the point by as much of an edge. Two points are off in three coordinates each, the root of 3 twice. A
-  // gap is off by so much of |n|_1 2 R, where |n|_1 is at most the root of 3 times |n|_2. `slack` is 4 times its sum,
-  // and is rounded.
+  // Points of triangles whose largest coordinate R is in [1, 2). Except for underflow, which `Common_frame` excludes,
+  // the relative error is equal for every R. Weights are each at most 1. Their computed sum is at most 1, so the exact
+  // one is at most 1 + u, which moves the point by 2 R u. Two points have errors in three coordinates each, so the root
+  // of 3 counts twice. `of_gap` is relative to |n|_1 2 R, and |n|_1 is at most the root of 3 times |n|_2. `slack` is 4
+  // times its sum, and is rounded.
   Rational in_triangle = 0;
   constexpr int parts = 16;
   for (int k = 0; k < parts; ++k) {

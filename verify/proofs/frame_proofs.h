@@ -13,7 +13,7 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// D in double, component by component: inputs row a (m0 m1 m2 t), origin of a, row b, origin of b.
+/// Returns the terms of a component of D in double. Inputs: row a (m0 m1 m2 t), origin of a, row b, origin of b.
 template <class Number>
 std::array<Lanes<Number, 2>, 4> offset_terms(const std::vector<Number>& in)
 {

@@ -14,7 +14,7 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// Inputs of the expressions below: the inputs of a comparison, and three more numbers.
+/// Numbers of inputs of the expressions below: those of a comparison, and three more numbers behind them.
 inline constexpr std::size_t more = Place::end, gap_inputs = more + 3;
 
 template <bool fused, class Number>
@@ -23,14 +23,15 @@ Box_test<Number, fused> box_test(const std::vector<Number>& in, Edges edges)
   return Box_test<Number, fused>(in, edges, true, Number(*in[0].script(), "0"));
 }
 
-/// The first component of the single box's first axis: after the eight's own three.
+/// Returns the component of the single box's first axis along the first axis of the eight boxes. In `kept` that axis
+/// comes after the three of the eight boxes.
 template <bool fused, class Number>
 Number component_of_axis(const std::vector<Number>& in)
 {
   return kernel::HWY_NAMESPACE::largest_gap<true>(box_test<fused>(in, Edges::carried), Keep_all()).kept.all[3][1].one();
 }
 
-/// The first coordinate of a stored axis; its components are the three numbers.
+/// Returns the first coordinate of a stored axis; its components are the three numbers.
 template <bool fused, class Number>
 Number stored_coordinate(const std::vector<Number>& in)
 {
@@ -40,9 +41,9 @@ Number stored_coordinate(const std::vector<Number>& in)
       .one();
 }
 
-/// The gap beyond a triangle's edge, or the first component of its axis. The first number is the excess of the box over
-/// the edge's line, relative to the normal's length. The two others are such components of the single box's edges 1 and
-/// 2.
+/// Returns the gap beyond a triangle's edge, or the first component of its axis. The first number is the excess of the
+/// box over the edge's line, relative to the normal's length. The two others are the first components of the single
+/// box's edges 1 and 2.
 template <bool fused, bool is_axis, class Number>
 Number beyond_edge(const std::vector<Number>& in)
 {
@@ -64,8 +65,8 @@ struct Sweep_place {
   static constexpr std::size_t components = 0, centre = 3, shift = 6, bend = 9, axes = 18, end = 27;
 };
 
-/// The displacement along an axis with these components along the axes of the eight boxes; shift and bend are rounded
-/// to float.
+/// Returns the displacement along an axis with these components along the axes of the eight boxes. Shift and bend are
+/// rounded to float.
 template <class Numbers>
 auto way_of_sweep(const Numbers& in)
 {

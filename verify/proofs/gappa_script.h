@@ -30,7 +30,7 @@ struct Enclosure {
   Rational magnitude() const { return std::max(Rational(abs(low)), Rational(abs(high))); }
 };
 
-/// A number as Gappa reads it, exactly: 3b-5 is 3 2^-5.
+/// Returns a number as Gappa reads it, exactly: "3b-5" is 3 times 2^-5.
 inline std::string gappa_number(double value)
 {
   int exponent = 0;
@@ -131,7 +131,7 @@ inline bool gappa_is_there() { return std::system("gappa --version > /dev/null 2
 
 namespace detail {
 
-/// "-3b-5 {...": a whole number times a power of two.
+/// Returns the number at the beginning of the text: "-3b-5 {..." is -3 times 2^-5.
 inline Rational parse_gappa(const std::string& text)
 {
   const std::size_t end = std::min(text.find_first_not_of("-0123456789"), text.size());
@@ -144,6 +144,7 @@ inline Rational parse_gappa(const std::string& text)
   return value;
 }
 
+/// Returns the output of a command. Throws std::runtime_error with the output when the command fails.
 inline std::string output_of(const std::string& command)
 {
   std::string output;

@@ -27,7 +27,8 @@ struct Plane_error {
   double height = 0;  ///< of the distance itself
 };
 
-/// Unit vectors are integer vectors, whose squares are exact, over a rounded root: their error is 2 roundings.
+/// Returns the errors for a cone. Unit vectors are integer vectors, whose squares are exact, over a rounded root: they
+/// have 2 roundings.
 inline Plane_error plane_error(const tetratree::Tetra_cone& cone)
 {
   const Interval u = kernel::unit_roundoff<double>, of_unit = 2 * u * (1 + u);

@@ -17,6 +17,7 @@ namespace detail {
 
 /// A number computed in double: upper bounds of the exact number's magnitude and of the error, in exact rationals. An
 /// expression run with these gives its own error for all inputs of such magnitudes, like CGAL's Static_filter_error.
+/// Underflow is left out.
 struct Static_error {
   Rational most, error;
 

@@ -16,8 +16,8 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// A coordinate of the image of a local point by a map of fractions. Inputs: a row, the point with an error of two
-/// roundings, and its true value.
+/// Returns a coordinate of the image of a local point by a map of fractions. Inputs: a row, and the point, which has an
+/// error of two roundings.
 template <class Number>
 Number image_in_common(const std::vector<Number>& in)
 {
@@ -26,7 +26,8 @@ Number image_in_common(const std::vector<Number>& in)
   return kernel::dot(row, point);
 }
 
-/// A row of L^T L less a multiple of the sum of squares, with all terms taken as positive. Inputs: three columns.
+/// Returns a row of L^T L less a multiple of the sum of squares, with all terms taken as positive. Inputs: three
+/// columns.
 template <class Number>
 Number row_of_gram(const std::vector<Number>& in)
 {
@@ -114,7 +115,7 @@ inline Proved_bounds nearest_proofs()
   const Rational half_of_least = Rational(0x1p-1074) / 2;
   add("Bvh8_distance::smallest", of_distance, Distance::smallest, half_of_least * Rational(0x1p200) + 2 * half_of_least,
       1, 3.8e22);
-  // The root of `least_square`, or of it plus its underflow.
+  // `root` is an upper bound of the root of `least_square` plus its underflow.
   const Rational root(0x1p-500 + 0x1p-540);
   const Rational square = Rational(Distance::least_square) + half_of_least;
   add("Bvh8_distance::most_unseen", of_distance, Distance::most_unseen,

@@ -15,10 +15,10 @@ namespace detail {
 /// The box whose axes are the frame in which a direction between two boxes is sought.
 enum class Frame_of { eight, single_box };
 
-/// Inputs of an expression: the inputs of a comparison, and the components of a direction in the frame.
+/// Numbers of inputs of an expression: those of a comparison, and the components of a direction in the frame.
 inline constexpr std::size_t way_in_frame = Box_test<double, true>::end, distance_inputs = way_in_frame + 3;
 
-/// The gap along a direction, times its length, without slack, which is `none`.
+/// Returns the gap along a direction, times its length, without slack; `none` is 0.
 template <bool fused, class Number>
 Number gap_of_way(const std::vector<Number>& in, Frame_of frame, const Number& none)
 {
@@ -38,9 +38,9 @@ Number gap_of_way(const std::vector<Number>& in, Frame_of frame, const Number& n
   return kernel::HWY_NAMESPACE::gap_of_way(g, room, g, f, r).one();
 }
 
-/// The rounding error relative to the sum of the direction's components, the centres' distances and the extents. A
-/// slice has one component of the direction, and the entries that lead there from a term of the sum. The component is
-/// the first, which has the most roundings.
+/// Returns the rounding error of that gap, relative to the sum of the direction's components times M. M is the sum of
+/// the centres' coordinates and the extents. A slice has one component of the direction, and the entries that lead
+/// there from a term of M. The component is the first, which has the most roundings.
 template <bool fused>
 Rational rounding_of_way(Frame_of frame)
 {
@@ -82,8 +82,9 @@ inline Proved_bounds obb8_distance_proofs()
   const std::string file = "kernel/bound/obb8_distance.h";
   Proved_bounds bounds;
 
-  // Sums over the entries of a rotation, of the directions, count root 3 times. Boxes reach along the eight's axes by
-  // those', along the single box's edges by these edges' defect more; edges of any map are floats.
+  // A sum over the entries of a row of the directions, a rotation, counts root 3 times. Axes have defects. Along an
+  // axis of the eight boxes, a box reaches farther by their defect. Along an edge of the single box it reaches farther
+  // by the edges' defect. Edges of any map are rounded to float.
   const auto rounding = [](Frame_of frame) {
     return std::max(detail::rounding_of_way<true>(frame), detail::rounding_of_way<false>(frame));
   };

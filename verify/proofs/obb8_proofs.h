@@ -26,9 +26,10 @@ std::vector<Recorded<Arithmetic>> gaps(const std::vector<Recorded<Arithmetic>>& 
   return gaps_of(Box_test<Recorded<Arithmetic>, fused>(in, edges, triangle, {*in[0].script(), "0"}), edges);
 }
 
-/// The slices of a scale. One component of it is 1, and so is component q of the first axis and, for products across
-/// two, of the second. Edges lie along q; of `general` ones the others follow. A product of other components is rounded
-/// no more often than where all are the worst one. Other axes are treated by the same text.
+/// Returns the slices of a scale, which is the first input of a vector: `single_centre`, `centre` or an extent. A slice
+/// has 1 for one component of that vector, for component q of the first axis and, with `two_axes`, of the second. It
+/// also has 1 for component q of the edges; `general` ones have the next components in turn. Products of other
+/// components are rounded no more often. The code treats other axes alike.
 inline std::vector<Slice> slices_of_box(int scale, bool two_axes, Edges edges, bool triangle)
 {
   std::vector<Slice> slices;
@@ -122,7 +123,8 @@ inline Shares defect_of_gap(Kind kind, Edges edges, const Rational& d, const Rat
   return {};
 }
 
-/// Returns the coefficients of one kind of box, upper bounds over all its gaps, with fused products and without.
+/// Returns the coefficients of one kind of axis: upper bounds over all its gaps, with fused products and without. `d`
+/// and `e` are as in `defect_of_gap`.
 inline Shares shares_of(Edges edges, Kind kind, const Rational& d, const Rational& e)
 {
   const bool triangle = kind == Kind::triangle;

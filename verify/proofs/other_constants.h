@@ -9,13 +9,13 @@ namespace tetracone::verify::proofs {
 enum class Constant_kind {
   unit,    ///< it is a property of a number type
   choice,  ///< it decides how fast an answer is found, and never which
-  gate,    ///< what is beyond it is told nothing: the code tests it, and proofs take it as given
+  gate,    ///< a limit that the code tests: beyond it no bound is used, so proofs take it as given
   term,    ///< it stands in the proof of another constant, which the reason names
   tested,  ///< a test beside the proofs checks it, which the reason names
   by_hand  ///< it is an error bound that no machine checks
 };
 
-/// A constant of the package without a proof: its name, or the literal in an expression.
+/// A constant of the package without a proof; `name` is its name, or the literal in an expression.
 struct Other_constant {
   const char *file, *name;
   Constant_kind kind;

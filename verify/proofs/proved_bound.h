@@ -14,10 +14,10 @@ using kernel::Rational;
 struct Proved_bound {
   std::string name, file;
   Rational in_code, proved;
-  double unit;             ///< in which both are told: u, u^2, or 1
-  double loosest;          ///< in_code over proved is at most this: what is larger was changed without a reason
-  std::string by;          ///< "gappa", or "rationals" or "intervals" where the argument is none of rounding
-  std::string proof = {};  ///< the file of the proof
+  double unit;             ///< the unit in which tables show both: u, u^2, 1, or another one
+  double loosest;          ///< in_code over proved may be at most this; a test finds a constant that became loose
+  std::string by;          ///< "gappa"; or "rationals" or "intervals", by which our own code computes the bound
+  std::string proof = {};  ///< the file of the proof, which `all_proofs` adds
 };
 
 using Proved_bounds = std::vector<Proved_bound>;

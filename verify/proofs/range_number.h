@@ -58,7 +58,7 @@ class Range_number {
  private:
   Range_number(Rational most, Rational lost) : most_(std::move(most)), lost_(std::move(lost)) {}
 
-  /// Rounded up at most once.
+  /// Returns a result whose magnitude allows for its rounding, of at most 2^-20.
   static Range_number made(const Rational& most, const Rational& lost)
   {
     const Rational rounded = most * (1 + Rational(0x1p-20));
@@ -69,10 +69,11 @@ class Range_number {
   Rational most_, lost_;
 };
 
-/// Upper bounds of an expression for inputs of these magnitudes: of its magnitude and of its underflow.
+/// Upper bounds of the magnitudes of an expression's results, those in between included, and of its underflow.
 struct Range_found {
   Rational largest, lost;
 };
+/// Returns these bounds for inputs of at most these magnitudes.
 template <class Range, class Expression>
 Range_found range_of(const Expression& expression, const std::vector<double>& magnitudes)
 {

@@ -10,7 +10,8 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// The determinant of vectors, `differences` of them from a point at 0 and the others exact.
+/// Returns the determinant of three vectors. The first `differences` of them are differences from a point at 0; the
+/// others are exact.
 template <std::size_t differences, class Number>
 Number determinant_of_differences(const std::vector<Number>& in)
 {

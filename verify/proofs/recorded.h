@@ -100,11 +100,11 @@ class Recorded {
   friend Recorded operator-(float a, const Recorded& b) { return Recorded(a) - b; }
   friend Recorded operator/(float a, const Recorded& b) { return Recorded(a) / b; }
 
-  /// a b + c, and c - a b, rounded once.
+  /// Returns c + a b or, for the sign '-', c - a b, rounded once.
   friend Recorded fused_sum(const Recorded& a, const Recorded& b, const Recorded& c, char sign)
   {
     const std::string product = exact_product(a, b);
-    if (product == "0") return made<false>(b, c, c.name_);  // of c, and rounded
+    if (product == "0") return made<false>(b, c, c.name_);  // c alone, rounded
     return made<false>(script_of(a, b) != nullptr ? a : c, script_of(a, b) != nullptr ? b : c,
                        c.is_zero() ? (sign == '-' ? "-(" : "(") + product + ")" : c.name_ + " " + sign + " " + product);
   }

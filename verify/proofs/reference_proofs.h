@@ -31,9 +31,10 @@ inline Proved_bounds reference_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
   };
 
-  // A reach is the distance s less the gap g, and a side of it is that plus or less s. So s is off as often as twice,
-  // and g once. Each is off by at most what its terms' roundings are, in units of M, and the slack is `gap_rounding` of
-  // that. The reach and its two sums, of at most 3 M, are rounded once each.
+  // Let s be the centres' distance along an axis, and g the gap. The reach is s - g, and its two sides are the reach
+  // plus and minus s. So an error of s counts at most twice, and one of g once. Both errors are those of a gap,
+  // relative to M; `slacks_of_sweep` is in units of `gap_rounding`. The reach and its two sums, of at most 3 M, are
+  // rounded once each.
   Rational of_gap = 0;
   for (const Kind kind : {Kind::own, Kind::other, Kind::across})
     for (const Rational& share : detail::shares_of(Edges::carried, kind, defect, defect + 3 * of_float * few))
@@ -42,13 +43,13 @@ inline Proved_bounds reference_proofs()
   add("slacks_of_sweep", of_sweeps, kernel::slacks_of_sweep,
       (3 * of_gap + 3 * 3 * of_float) * few / Rational(kernel::gap_rounding), 1, 1.42, "gappa");
 
-  // A speed below v = `least_speed` is taken for v. Two cases occur:
-  // - Where a reach, of either side, is more than v, the time is beyond the span.
-  // - Where it is none, the gap is one that the loss alone brings. `radius_rounding` leaves a part of the loss that is
-  //   more than v.
-  // In between is nothing. A loss is at least `least_loss`, and sums of floats of such sizes are 0 or a multiple of the
-  // last digit of the smaller. The loss holds the span's error over the scale. The largest of a span's numbers is at
-  // least 1/2 before it is divided by a binomial, of at most 20. A scale is at most sqrt(3) over a weight.
+  // A speed below v = `least_speed` is replaced by v. Two cases occur:
+  // - If a side of the reach is more than v, the time is beyond the span.
+  // - If it is 0, the gap comes from the loss alone. `radius_rounding` leaves a part of the loss that is more than v.
+  // No side is between 0 and v. A loss is at least `least_loss`, and sums of floats of such sizes are 0 or a multiple
+  // of the last digit of the smaller. The loss includes the span's error over the scale. The largest of a span's
+  // numbers is at least 1/2 before it is divided by a binomial, of at most 20. A scale is at most sqrt(3) over a
+  // weight.
   const Rational least_loss = Rational(Reference::errors_along) * Rational(kernel::few_roundings) / (2 * 20) / 2,
                  last_digit = least_loss * of_float * of_float,
                  spare = least_loss * Rational(double(kernel::radius_rounding)) / 2;
@@ -78,9 +79,9 @@ inline Proved_bounds reference_proofs()
   add("Bvh8_front::leaf_gap_rounding", of_front, Front::leaf_gap_rounding, (of_float + 10 * u) * few, unit_of_float,
       16.1);
 
-  // The line between two coefficients is off as a coefficient is: twice `Motion_span::error`, a share of |n|_1. Sums
-  // and quotients of coefficients, and their norms, lose 12 roundings of three placings, each below twice the span's
-  // terms, of which the error is `few_roundings`.
+  // A point of the line between two coefficients has the error of a coefficient: at most twice `Motion_span::error`,
+  // times |n|_1. Sums and quotients of coefficients, and their norms, have 12 roundings of three placings. Each placing
+  // is below twice the span's terms, and the span's error is `few_roundings` times these terms.
   const std::string of_reference = "tetratree/query/span_reference.h";
   add("Span_reference::errors_along", of_reference, Reference::errors_along,
       2 * root_3() * (1 + 3 * defect) + 12 * 3 * 2 * u / Rational(kernel::few_roundings), 1, 1.16);

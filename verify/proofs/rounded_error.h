@@ -12,8 +12,8 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// The bound of a rounding. It is half the spacing of the numbers at the largest result, or the unit roundoff times it,
-/// which makes errors proportional to magnitudes.
+/// How a rounding is bounded. `by_binade` takes half the spacing of the numbers at the largest result. `by_share` takes
+/// the unit roundoff times that result, which makes errors proportional to magnitudes.
 enum class Rounds { by_binade, by_share };
 
 /// A computed number: upper bounds of its magnitude and of its error, in exact rationals. An expression run with these

@@ -18,14 +18,15 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// Inputs: a row of a map and its translation, the centre and half the extents of a box.
+/// Returns a coordinate of a placed box. Inputs: a row of a map and its translation, the centre and half the extents of
+/// a box.
 template <class Number>
 tetratree::Placed_coordinate<Number> placed_coordinate(const std::vector<Number>& in)
 {
   return {triple(in, 0), in[3], triple(in, 4), triple(in, 7)};
 }
 
-/// Entries are rounded: those of a fraction, or differences of two poses.
+/// Returns the same with rounded entries: nearest doubles of fractions, or differences of two poses.
 template <class Number>
 tetratree::Placed_coordinate<Number> placed_by_entries(std::vector<Number> in)
 {
@@ -33,8 +34,8 @@ tetratree::Placed_coordinate<Number> placed_by_entries(std::vector<Number> in)
   return placed_coordinate(in);
 }
 
-/// Inputs: a row of both poses, the centre and half the extents of a box, and 1. Entries are those of fractions, or
-/// exact.
+/// Returns a row of a step from one pose to the next. Inputs: a row of both poses, the centre and half the extents of a
+/// box, and 1. Entries are nearest doubles of fractions, or exact.
 template <class Number>
 tetratree::Step_of_row<Lanes<Number, 2>> step_of_row(std::vector<Number> in, bool of_fractions = true)
 {
@@ -90,7 +91,7 @@ inline Rational lost_by_step(double centre, double half)
          3 * Rational(tetratree::placed_rounding) * sum(row.terms).lost() + root;
 }
 
-/// Returns the growth of an error with a size.
+/// Returns the growth of an error per unit of the size, over three coordinates.
 template <class Lost>
 Rational growth(const Lost& lost)
 {
@@ -213,8 +214,8 @@ inline Proved_bounds scene_proofs()
                               of_high = slice_errors<Relative_64>(high_side, slices_of_sum(3));
   const auto most = [&](std::initializer_list<Rational> errors) { return std::max(errors); };
   const Rational one = 1, once = 1 + Rational(u);
-  // The share of what is between, and of places. Three magnitudes are added up, multiplied, and lessened by the sum's
-  // rounding of the share itself. That rounding is the last of its terms.
+  // The slack is the constant times a sum of three magnitudes, which has four roundings. `of_gap[5]` is the error of
+  // its term in the gap.
   const Rational least_slack = (one - 4 * Rational(u)) * (one - of_gap[5]);
   add("body_box_rounding, of places", body_box, tetratree::body_box_rounding,
       most({Rational(of_gap[0] * once + u), of_low[0], of_high[0]}) / least_slack, u, 2.67, "gappa");

@@ -14,7 +14,7 @@ namespace tetracone::verify::proofs {
 /// Inputs of an expression that select one of its terms: 1 for the term's factors, 0 for all others.
 using Slice = std::vector<double>;
 
-/// The n slices of a sum of n terms.
+/// Returns the n slices of a sum of n terms.
 inline std::vector<Slice> slices_of_sum(std::size_t n)
 {
   std::vector<Slice> slices(n, Slice(n, 0));
@@ -22,7 +22,7 @@ inline std::vector<Slice> slices_of_sum(std::size_t n)
   return slices;
 }
 
-/// The 6 slices of a determinant of nine entries, row by row.
+/// Returns the 6 slices of a determinant. Its nine entries are the inputs, row by row.
 inline std::vector<Slice> slices_of_determinant()
 {
   std::vector<Slice> slices;

@@ -13,18 +13,18 @@
 #include <utility>
 #include <vector>
 
-/// Searches for the worst error that a constant must cover. Each search returns the error for inputs that hill climbing
-/// changes, in the constant's unit. Truth is rational.
+/// Searches for the worst error that a constant must cover: hill climbing over the inputs of an expression of the code.
+/// Errors are found in rationals.
 namespace tetracone::verify::proofs {
 
 using Inputs = std::vector<double>;
 
 struct Search {
-  std::size_t inputs;
-  double (*share)(const Inputs&);
+  std::size_t inputs;              ///< their number
+  double (*share)(const Inputs&);  ///< returns the error for these inputs, in the constant's unit
 };
 
-/// By the names of the constants.
+/// Searches by the names of the constants, as in `Proved_bound::name`.
 using Searches = std::map<std::string, Search>;
 Searches adaptive_searches();
 Searches bound_searches();
@@ -33,8 +33,8 @@ Searches box_searches();
 Searches distance_searches();
 Searches ray_searches();
 
-/// Returns the worst error that a search by hill climbing finds for a constant, in its unit; negative where no search
-/// exists. Truth is rational. Equal seeds find equal errors.
+/// Returns the worst error that a search of `steps` steps finds for a constant, in its unit; negative where no search
+/// exists. Equal seeds find equal errors.
 double worst_found(const std::string& name, int steps, unsigned seed);
 
 /// Returns why no search exists for a constant's worst error; empty if one exists.
@@ -56,7 +56,7 @@ inline double share(double computed, const Rational& exact, double scale)
   return scale > 0 ? Rational(abs(Rational(Rational(computed) - exact))).get_d() / scale : 0;
 }
 
-/// The largest magnitudes of each axis, multiplied.
+/// Returns the product, over the axes, of the largest magnitude of a coordinate.
 template <std::size_t n>
 double box(const std::array<std::array<double, 3>, n>& v)
 {
@@ -69,7 +69,7 @@ double box(const std::array<std::array<double, 3>, n>& v)
   return product;
 }
 
-/// The inputs from `first` on, tracked.
+/// Returns the n inputs from `first` on, tracked.
 template <class Float, std::size_t n = 3>
 std::array<Tracked<Float>, n> tracked(const Inputs& in, int first)
 {
@@ -80,7 +80,7 @@ std::array<Tracked<Float>, n> tracked(const Inputs& in, int first)
   (std::make_index_sequence<n>());
 }
 
-/// A number that was rounded once, with an error of `e` times the largest rounding.
+/// Returns x as a computed number with an error: its exact value differs by `e` times the unit roundoff.
 template <class Float>
 Tracked<Float> rounded_once(double x, double e)
 {
@@ -90,6 +90,7 @@ Tracked<Float> rounded_once(double x, double e)
                              (1 + Rational(std::clamp(e, -most, most)) * Rational(kernel::unit_roundoff<Float>)))};
 }
 
+/// Returns the sum of the magnitudes of the terms of a scalar product.
 template <class Float>
 double sum_of_terms(const std::array<Tracked<Float>, 3>& a, const std::array<Tracked<Float>, 3>& b)
 {

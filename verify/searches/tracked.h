@@ -10,7 +10,7 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// A computed number and its exact value, in rationals: an expression run with these gives its own error.
+/// A computed number and its exact value. An expression that is run with these gives its own error.
 template <class Float>
 struct Tracked {
   Float computed;
@@ -40,7 +40,7 @@ struct Tracked {
   friend Tracked operator-(const Tracked& a) { return {-a.computed, Rational(-a.exact)}; }
   friend Tracked abs(const Tracked& a) { return {std::abs(a.computed), Rational(abs(a.exact))}; }
 
-  /// c + a b or c - a b, rounded once.
+  /// Returns c + a b or, for the sign '-', c - a b, rounded once.
   friend Tracked fused_sum(const Tracked& a, const Tracked& b, const Tracked& c, char sign)
   {
     const Float factor = sign == '-' ? -a.computed : a.computed;
@@ -49,7 +49,7 @@ struct Tracked {
     return {std::fma(factor, b.computed, c.computed), Rational(exact + c.exact)};
   }
 
-  /// A pose's entry: the search that rounds it has done so before.
+  /// Returns a pose's entry. The search has rounded it before (`rounded_once`), so nothing is rounded here.
   friend Tracked entry(const Tracked& a) { return a; }
 };
 

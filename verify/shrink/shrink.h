@@ -48,8 +48,8 @@ Predicate_case shrink(const Predicate_case& c, const Predicate_check& still_wron
 /// Returns the answer to an object case by `cgal_truth.h`.
 bool true_answer(const Object_case& c, kernel::Question question);
 
-/// Returns a check that a subject gives this answer, or fails, where the truth is this: it is wrong in the same way.
-/// The subject must outlive the check.
+/// Returns a check that a subject gives this answer to a case of this truth, so that it is wrong in the same way. The
+/// answer may be that it fails. The subject must outlive the check.
 Object_check same_error(Running_subject& subject, kernel::Question question, Outcome answer, bool truth);
 
 /// Returns a check that a subject lists a pair of features that does not meet, or misses one. If the original did both,

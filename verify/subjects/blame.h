@@ -35,7 +35,7 @@ inline const char* to_string(Stage stage)
 /// exact stages after them. It is run with none of its own, with one, with two, and so on. The stage with which the
 /// answer first differs from `truth` is to blame. The exact stages are those of `Rounded_pair`, which shares no
 /// formulation with the subject. A wrong formula is therefore blamed where it stands, as rounding is.
-///  - pose: the subject's rounded images of the vertices already give the wrong answer;
+///  - pose: the subject's rounded images of the vertices already give the wrong answer, or are not finite;
 ///  - classification: no leaf pair of the subject's tree contains the features that meet;
 ///  - bounding sphere, bounding tetrahedron, regular hull, and for the fast tree bounding box: the leaf pair with these
 ///    features is discarded;

@@ -14,9 +14,11 @@
 namespace tetracone::verify {
 
 /// True when `first` is the first contact by the definitions of `question`: judged by features. At t = 0 the static
-/// truth is asked. After that `truly_meet_in_motion` of motion_truth.h is asked of all vertices with all triangles of
-/// fans, and of all edges with all edges. There is no contact before lo, and one from lo to hi. Points are placed by
-/// products of quaternions.
+/// truth is asked, and lo = hi = 0 is right if the bodies collide then. After that `truly_meet_in_motion` of
+/// motion_truth.h is asked of all vertices with all triangles of fans, and of all edges with all edges. If lo = hi,
+/// there is contact at lo and none before. If lo < hi, which are neighbouring doubles, there is none up to lo, and one
+/// between them. Without `first` there is none in [0, 1]. Points are placed by products of quaternions. Requires faces
+/// of one convex loop.
 bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question question,
                              const std::optional<kernel::Time_bounds>& first);
 

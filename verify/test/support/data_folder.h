@@ -7,7 +7,7 @@
 
 namespace tetracone::verify::scenes {
 
-/// Returns the folder of real data, which is not part of the project.
+/// Returns the folder of real data, which is not part of the project; TETRACONE_DATA names another one.
 inline std::filesystem::path data_folder()
 {
   const char* const named = std::getenv("TETRACONE_DATA");

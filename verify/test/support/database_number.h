@@ -16,8 +16,8 @@ inline std::int64_t number(Database& database, const std::string& query)
   return row.integer(0);
 }
 
-/// Returns the sum of a column of the table tally, or of an expression of columns, over the rows where the condition
-/// holds.
+/// Returns the sum of a column of the table tally, or of an expression of columns. The rows are those of axis `rho`
+/// where the condition holds.
 inline std::int64_t tally(Database& database, const std::string& what, const std::string& where)
 {
   return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND " + where);

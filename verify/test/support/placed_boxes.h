@@ -38,7 +38,7 @@ inline void set(kernel::Obb8& boxes, int lane, const kernel::Vector& centre, con
 
 inline kernel::Matrix random_axes(Random& random) { return kernel::detail::axes_from(vector(random), vector(random)); }
 
-/// Some are flat, as of a triangle.
+/// Returns extents below 1. In one call of three, one of them is 0, as for a triangle.
 inline kernel::Vector random_extents(Random& random)
 {
   kernel::Vector e(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
@@ -52,7 +52,7 @@ struct Solid {
   kernel::Matrix edges;
   kernel::Vector extent;
 
-  /// To what floats hold.
+  /// Rounds all numbers to float.
   void round()
   {
     centre = centre.in_float();
@@ -68,14 +68,14 @@ struct Solid {
   }
 };
 
-/// Sets the lane, and the reach of all lanes that were set.
+/// Writes the box into the lane, and raises the node's reach to an upper bound for it.
 inline void set(kernel::Obb8& boxes, int lane, const Solid& s)
 {
   set(boxes, lane, s.centre, s.edges, s.extent);
   boxes.reach = kernel::maximum(boxes.reach, float(s.extent.sum() + s.centre.norm()) * 1.000001f);
 }
 
-/// The box about the triangle along its axes.
+/// Returns the box about a triangle along the triangle's axes.
 inline kernel::Oriented_box triangle_box(std::span<const kernel::Vector, 3> corners)
 {
   return kernel::Oriented_box(kernel::triangle_axes(corners), corners);
@@ -130,7 +130,7 @@ struct Placing {
   }
 };
 
-/// The pose of a body of `factor` times the size.
+/// Returns the pose with its matrix times `factor`.
 inline Pose scaled(const Pose& pose, double factor)
 {
   auto entries = pose.entries();
@@ -139,7 +139,7 @@ inline Pose scaled(const Pose& pose, double factor)
   return Pose(entries);
 }
 
-/// Moves both bodies as far away, with their poses rounded.
+/// Rounds both poses to doubles, and moves the bodies by `distance` times (1, 2, 3).
 inline void move_far(Placing& p, double distance)
 {
   for (Pose* const pose : {&p.a, &p.b}) {
@@ -149,7 +149,7 @@ inline void move_far(Placing& p, double distance)
   }
 }
 
-/// Two bodies at random, their local units of unlike sizes.
+/// Returns two bodies in random rotations, with local units of different sizes.
 inline Placing random_placing(Random& random)
 {
   Placing p;
@@ -160,7 +160,7 @@ inline Placing random_placing(Random& random)
   return p;
 }
 
-/// Sets all lanes to boxes of at most this size, as near to one another.
+/// Sets all lanes to random boxes of at most this size, with centres within twice the size of the origin.
 inline void set_near(kernel::Obb8& boxes, Random& random, double size)
 {
   for (int lane = 0; lane < int(kernel::lanes); ++lane)
@@ -170,7 +170,7 @@ inline void set_near(kernel::Obb8& boxes, Random& random, double size)
   boxes.lane_count = int(kernel::lanes);
 }
 
-/// Sets a lane to a box of at most this size; or, where `apex` is set, to that of a triangle.
+/// Sets a lane to a random box of at most this size. With `apex`, it is a triangle's box, and its apex is chosen too.
 inline void set_single(kernel::Obb8& boxes, int lane, Random& random, double size, float* apex)
 {
   kernel::Vector extent = size * kernel::Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));

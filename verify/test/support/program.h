@@ -15,7 +15,7 @@
 #include <string>
 #include <thread>
 
-/// Runs the program `tetracone` as its users do.
+/// Runs the program `tetracone` as its users do, in a shell.
 namespace tetracone::verify {
 
 inline const std::string program = TETRACONE_PROGRAM, source = TETRACONE_SOURCE_DIR,
@@ -66,7 +66,7 @@ inline Run run(const std::string& words, const std::string& before = "")
   return result;
 }
 
-/// Checks for status 2, an empty standard output, and one line on standard error that contains `says`.
+/// Runs the program, and checks for status 2, an empty standard output, and one line on standard error with `says`.
 inline void check_refused(const std::string& words, const std::string& says = "")
 {
   const Run r = run(words);

@@ -61,7 +61,7 @@ inline Polyhedron turned(const Polyhedron& what)
   return result;
 }
 
-/// Returns the body without the faces of which `goes(number)` is true.
+/// Returns the body without the faces f for which goes(f) is true.
 template <class Goes>
 Polyhedron without(const Polyhedron& body, const Goes& goes)
 {
@@ -127,7 +127,7 @@ inline std::vector<Index> reversed_loop(const Polyhedron& body, Index f, Index f
   return loop;
 }
 
-/// Returns two boxes, of each of which the last face is a loop of one face in their place.
+/// Returns two boxes as one body: a face of two loops replaces the last face of both.
 inline Polyhedron joined_boxes(const Polyhedron& a, const Polyhedron& b)
 {
   Polyhedron both = without_last_face(a);
@@ -171,7 +171,7 @@ inline Polyhedron square_frame(double lift = 0)
   return result;
 }
 
-/// A torus of n x m quads; its vertices lie on no common planes.
+/// A torus of n x m quads; since its vertices are rounded, most of these are not exactly planar.
 inline Polyhedron torus(Index n, Index m)
 {
   Polyhedron result;
@@ -403,7 +403,7 @@ struct Named {
   Polyhedron body;
 };
 
-/// Returns closed bodies with every kind of face and shell.
+/// Returns closed bodies with every kind of face and shell. Some have winding numbers other than 0 and 1.
 inline std::vector<Named> closed_bodies()
 {
   Random random(11);
@@ -439,7 +439,7 @@ inline std::vector<Named> closed_bodies()
   return bodies;
 }
 
-/// Those, a body of many triangles, and some far from 0, tiny and huge.
+/// Returns `closed_bodies`, a torus of triangles, and bodies that are far from 0, tiny or huge.
 inline std::vector<Named> bodies_of_any_size()
 {
   std::vector<Named> bodies = closed_bodies();

@@ -20,7 +20,7 @@ std::vector<Function*> versions_here(const std::vector<kernel::Simd_version<Func
 
 }  // namespace tetracone::verify
 
-/// Those of a function of this unit, by its name.
+/// The versions of a function of this unit, by its name, that this processor supports.
 #define TETRACONE_VERSIONS_HERE(function)                                                               \
   ::tetracone::verify::versions_here<std::remove_reference_t<decltype(HWY_STATIC_DISPATCH(function))>>( \
       TETRACONE_SIMD_VERSIONS(function))

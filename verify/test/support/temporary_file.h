@@ -51,8 +51,8 @@ class Temporary_folder {
   std::filesystem::path path_;
 };
 
-/// Returns the message of the input error that `read` throws, after the file's path: ":4: what is wrong; what was
-/// expected".
+/// Returns the message of the input error that read(path) throws, without the file's path: ":4: what is wrong; what was
+/// expected". Returns "no error" when it throws none.
 template <class Read>
 std::string error_of(const Temporary_file& file, const Read& read)
 {
@@ -66,7 +66,7 @@ std::string error_of(const Temporary_file& file, const Read& read)
   return "no error";
 }
 
-/// As above, of a file with this text.
+/// Returns the same for a file with this text.
 template <class Read>
 std::string error_of(const std::string& text, const Read& read)
 {

@@ -10,8 +10,8 @@ namespace tetracone::verify {
 
 namespace object_family {
 
-/// A body and its own mirror image, in contact. At most one argument of a call draws from `random`: the order in which
-/// arguments are evaluated is the compiler's.
+/// A body and its own mirror image, in contact; `parameter` selects the mirror, from 0 to 23. At most one argument of a
+/// call draws from `random`, since the compiler chooses the order in which arguments are evaluated.
 inline Object_case mirror_image(Random& random, double parameter)
 {
   const Shape& body = any_block(random);
@@ -23,7 +23,7 @@ inline Object_case mirror_image(Random& random, double parameter)
 
 namespace predicate_family {
 
-/// B's points are written in a mirrored frame.
+/// A contact in which B's points are written in a mirrored frame.
 inline Predicate_case mirror_image(Random& random, double which)
 {
   using namespace points;

@@ -5,7 +5,7 @@
 
 namespace tbb {
 
-/// Each by a thread of its own.
+/// Calls both functions at the same time, the second in a thread of its own.
 template <class One, class Other>
 void parallel_invoke(const One& one, const Other& other)
 {
