@@ -9,13 +9,14 @@ Prints each lie that is believed, and the count of all. Status 1 where one is.""
 import copy
 import json
 import sys
+from fractions import Fraction
 
 from check import BAD, prove
 from reading import Refused
 
 ANSWERS = {"collide": ["apart", "surfaces", "a_in_b", "b_in_a"], "within": [0, 1], "inside": [-1, 0, 1],
            "relation": ["disjoint", "meet", "overlap", "equal", "inside", "contains", "covered_by", "covers"]}
-PROOF = ("witness", "windings", "directions", "cover", "ray", "winding", "face", "plane", "way", "ways", "border", "gone", "before")
+PROOF = ("witness", "windings", "directions", "cover", "ray", "winding", "face", "plane", "way", "ways", "border", "gone", "before", "low", "overlap")
 
 
 def places(entry, way=()):
@@ -63,8 +64,9 @@ def spoiled_proofs(certificate):
     """What proves nothing, whatever the answer is."""
     for way in places(certificate):
         key, value = way[-1], at(certificate, way)
-        # All keys that are written are needed, but the triangles of groups that no cover opens, and the end of a ray behind its hit.
-        is_needless = key == "end" or key == "cut" and "groups" not in at(certificate, way[:-1])
+        # All keys that are written are needed, but the triangles of groups that no cover opens, the end of a ray behind its hit, and a bound
+        # that an answer does not claim.
+        is_needless = key in ("end", "low", "overlap") or key == "cut" and "groups" not in at(certificate, way[:-1])
         if isinstance(key, str) and not is_needless:
             without = copy.deepcopy(certificate)
             del at(without, way[:-1])[key]
@@ -83,6 +85,14 @@ def spoiled_proofs(certificate):
             yield f"{way} lacks a node", changed(certificate, way, value[:-1])
         if value == "crossed":
             yield f"{way} is believed apart", changed(certificate, way, 0)
+        if "boxes" in way and "cover" not in way and key != "balls" and ("directions" in value or isinstance(value, list) and isinstance(value[0], int)):
+            yield f"{way} is believed long", changed(certificate, way, "long")
+        if way[-2:] == ("low", "square"):
+            yield f"{way} is more", changed(certificate, way, str(2 * Fraction(value)))
+        if way[-2:] == ("low", "half"):
+            yield f"{way} is less", changed(certificate, way, str(Fraction(value) / 4))
+        if key == "radius":
+            yield f"{way} is more", changed(certificate, way, str(2 * Fraction(value)))
         if "groups" in way and isinstance(value, list):
             yield f"{way} lacks a member", changed(certificate, way, value[:-1])
 

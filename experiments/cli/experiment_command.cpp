@@ -48,7 +48,7 @@ constexpr std::array experiments = {
                "4 min", run_paper, "--models --race-frames --race-seconds --seed --full"},
     Experiment{"distance", "what does an exact distance cost beside FCL's, and how far off is each?", "20 s",
                run_distance, "--race-frames --seed --full"},
-    Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s",
+    Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "20 s",
                run_threads, "--race-frames --seed"},
     Experiment{"coherence", "what does remembering the last pose save, by how far a body moves from one to the next?",
                "20 s", run_coherence, "--race-frames --seed"},

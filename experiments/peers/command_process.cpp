@@ -131,7 +131,7 @@ bool Command_process::send(const std::string& text, Deadline deadline)
       // That output ends is told unasked.
       std::array<pollfd, 3> ends = {pollfd{input_, POLLOUT, 0}, {output_, 0, 0}, {errors_.descriptor(), POLLIN, 0}};
       const int left = milliseconds_to(deadline);
-      if (left == 0 || (::poll(ends.data(), 2, left) < 0 && errno != EINTR) || ends[1].revents != 0) return false;
+      if (left == 0 || (::poll(ends.data(), ends.size(), left) < 0 && errno != EINTR) || ends[1].revents != 0) return false;
       errors_.drain();
     } else if (errno != EINTR) {
       return false;

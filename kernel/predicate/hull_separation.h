@@ -179,11 +179,16 @@ struct Gap_rule {
   Exact_number top = 0, bottom = 1;
   bool or_equal = false;
   double rounded = 0;  ///< near the root, in rounded units
+  Exact_vector swept = {0, 0, 0};  ///< A is also moved by each vector of the box from minus this to this
 
   /// True when B is beyond A along m by the required distance.
   bool operator()(const Hull& a, const Hull& b, const Exact_vector& m) const
   {
-    const Exact_number gap = extent(b, m, -1) - extent(a, m, 1);
+    Exact_number gap = extent(b, m, -1) - extent(a, m, 1);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Exact_number step = m[k] * swept[k];
+      gap = step.sign() == CGAL::NEGATIVE ? gap + step : gap - step;
+    }
     if (gap.sign() != CGAL::POSITIVE) return false;
     const Exact_number square = gap * gap * bottom, least = top * dot(m, m);
     return or_equal ? square >= least : square > least;

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_TETRATREE_CERTIFICATE_CERTIFICATE_DATA_H
 #define TETRACONE_TETRATREE_CERTIFICATE_CERTIFICATE_DATA_H
 
+#include "tetracone/tetratree/certificate/lower_bound.h"
 #include "tetracone/tetratree/certificate/placed_pair.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/certificate.h"
@@ -56,6 +57,12 @@ struct Certificate::Data {
   {
     if (parts.size() != 2) tetratree::fail_proof("a question about two bodies; expected a certificate for two");
     return {&parts[0].tree(), &parts[1].tree()};
+  }
+
+  tetratree::Two_bodies triangles()
+  {
+    const auto [a, b] = groups();
+    return {tetratree::Numbered_triangles(*parts[0].body, *a), tetratree::Numbered_triangles(*parts[1].body, *b)};
   }
 
   tetratree::Placed_pair placed(const kernel::Pose& pose_a, const kernel::Pose& pose_b)

@@ -2,6 +2,7 @@
 
 #include "tetracone/tetratree/certificate/approach.h"
 #include "tetracone/tetratree/certificate/certificate_data.h"
+#include "tetracone/tetratree/certificate/lower_bound.h"
 #include "tetracone/tetratree/certificate/sides.h"
 
 #include <algorithm>
@@ -78,15 +79,6 @@ bool Certificate::relation(const kernel::Pose& pose_a, const kernel::Pose& pose_
 
 namespace {
 
-/// Returns the poses, with A moved by a vector.
-Placed_pair::Poses moved(Placed_pair::Poses poses, const Rational_point& by)
-{
-  std::array<Rational, 12> entries;
-  for (std::size_t k = 0; k < 12; ++k) entries[k] = poses[0].exact(int(k)) + (k % 4 == 3 ? by[k / 4] : Rational(0));
-  poses[0] = kernel::Pose(entries);
-  return poses;
-}
-
 /// Appends a proof that the interiors share no point. False where none is found.
 bool add_interiors_apart(std::string& text, Placed_pair& pair)
 {
@@ -106,7 +98,7 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   Rational_point along;
   for (std::size_t k = 0; k < 3; ++k) along[k] = Data::parsed(direction[k]);
   const auto shifted = [&](const Rational& s) {
-    return moved({pose_a, pose_b}, {s * along[0], s * along[1], s * along[2]});
+    return tetratree::moved({pose_a, pose_b}, {s * along[0], s * along[1], s * along[2]});
   };
   kernel::require_sound_floating_point();
   Placed_pair first(data_->groups(), shifted(exit[0]));
@@ -132,6 +124,7 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   for (const Placed_pair* pair : {&std::as_const(first), &last})
     if (!add_just_before(text, *pair, along)) return data_->leave_out();
   text += ']';
+  add_stretches(text, first.at({pose_a, pose_b}), data_->triangles(), along, exit[0]);
   data_->keep(std::move(text));
   return true;
 }
@@ -144,8 +137,14 @@ bool Certificate::depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, 
   add_key(text, "vector");
   text += tetratree::strings_of(v);
   kernel::require_sound_floating_point();
-  Placed_pair apart(data_->groups(), moved({pose_a, pose_b}, v));
+  Placed_pair apart(data_->groups(), tetratree::moved({pose_a, pose_b}, v));
   if (!add_interiors_apart(text, apart)) return data_->leave_out();
+  if (answer.high > 0) {
+    Placed_pair pair = data_->placed(pose_a, pose_b);
+    const tetratree::Two_bodies bodies = data_->triangles();
+    tetratree::Lower_bound bound(pair, bodies);
+    bound(text, v, answer.is_exact ? 0 : 1 - answer.low / answer.high);
+  }
   data_->keep(std::move(text));
   return true;
 }

@@ -274,13 +274,14 @@ struct Probe {
   std::optional<kernel::Exact_vector> direction;  ///< of a ray
 };
 
-/// Covers the pieces of a placed body against a probe.
+/// Covers the pieces of a placed body against a probe, from which the groups are as far as a rule says.
 class Probe_cover {
  public:
   /// The result of meets(), for a piece that no direction separates from the probe.
   enum class Met { is_covered, stops };
 
-  Probe_cover(Covered_body& body, Probe probe) : body_(&body), probe_(std::move(probe))
+  Probe_cover(Covered_body& body, Probe probe, kernel::Gap_rule rule = {})
+      : body_(&body), probe_(std::move(probe)), rule_(std::move(rule))
   {
     points_.exact = {probe_.start};
     if (probe_.end) points_.exact.push_back(*probe_.end);
@@ -333,7 +334,7 @@ class Probe_cover {
 
   bool holds(const kernel::Hull& group, const Exact_vector& m) const
   {
-    return extent_of(group, m, -1) > kernel::extent(hull(), m, 1);
+    return rule_(hull(), Last_corners(group, m, -1).hull(), m);
   }
 
   kernel::Hull hull() const { return {&points_, corners_, recession_ ? &*recession_ : nullptr}; }
@@ -343,7 +344,7 @@ class Probe_cover {
   {
     const kernel::Hull group = body_->hull(box);
     const kernel::Hull_pair pair{hull(), group};
-    if (search_.separates(std::span(&pair, 1), 0, probe_.direction,
+    if (search_.separates(std::span(&pair, 1), rule_.rounded, probe_.direction,
                           [&](const Exact_vector& m) { return holds(group, m); }))
       return true;
     if (!body_->groups->is_piece(box)) {
@@ -366,6 +367,7 @@ class Probe_cover {
 
   Covered_body* body_;
   Probe probe_;
+  kernel::Gap_rule rule_;
   Hull_points points_;
   std::vector<std::uint32_t> corners_;
   std::optional<kernel::Rounded_vector> recession_;

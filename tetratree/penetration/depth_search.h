@@ -124,8 +124,8 @@ class Depth_search {
     boxes_left_ = limits.most_boxes;
     proof_ = &proof;
     proof.nodes.clear();
-    const auto stays = [](const kernel::Rational_point&, const auto&) {};
-    search(stays, [](const kernel::Rational_point&) { return true; }, limits);
+    search([](const kernel::Rational_point& d) { return Exit{d, {}}; },
+           [](const kernel::Rational_point&) { return true; }, limits);
     proof_ = nullptr;
     return found_;
   }
@@ -250,7 +250,8 @@ class Depth_search {
       const Open_box next = std::move(open.back());
       open.pop_back();
       found_.least = kernel::maximum(found_.least, next.least);
-      if (next.least >= radius_ * (1 - limits.relative) || boxes_left_ == 0) return;
+      const bool is_small = proof_ && next.halvings == most_halvings_of_proof;
+      if (next.least >= radius_ * (1 - limits.relative) || boxes_left_ == 0 || is_small) return;
       --boxes_left_;
       auto near = std::make_shared<Near>();
       const Depth_proof::Node closed = closed_by(next, *near);
@@ -485,6 +486,8 @@ class Depth_search {
   /// Halvings of a box before corners in it are tried, and between two tries; at most `most_planes` planes take part.
   static constexpr unsigned least_halvings = 18, halvings_a_corner = 9;
   static constexpr std::size_t most_planes = 8;
+  /// Halvings of a box in a proof: 2^-32 of each side of the first one.
+  static constexpr unsigned most_halvings_of_proof = 96;
   /// Planes nearer than this, as a share, are taken for one when corners are sought.
   static constexpr double same_plane = 0x1p-30;
   /// A pair of boxes is opened while their size together is at least this multiple of the box of translations. The

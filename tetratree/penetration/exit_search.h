@@ -81,6 +81,38 @@ class Exit_search {
     return {at, last};
   }
 
+  /// A part of the way to the first exit.
+  struct Stretch {
+    kernel::Rational from, to;
+    std::optional<std::array<Index, 2>> faces;  ///< plain triangles that go through one another at all rises between
+                                                ///< the ends; nothing where no surfaces are known to meet there
+    bool starts_there;                          ///< the triangles do not do so at `from` yet
+  };
+
+  /// Returns stretches from 0 to the first exit, of which each ends where the next one starts. Requires what the search
+  /// requires, and the exit that it returns.
+  std::vector<Stretch> stretches(const std::array<kernel::Rational, 12>& map_a,
+                                 const std::array<kernel::Rational, 12>& map_b, const kernel::Rational& first)
+  {
+    solid_[0].see(map_a);
+    solid_[1].see(map_b);
+    std::vector<Stretch> all;
+    kernel::Rational at = 0;
+    while (at < first) {
+      Stretch next{at, first, std::nullopt, false};
+      if (const auto high = largest_high(&at, true)) {
+        next.to = *high;
+        next.faces = {last_pair_[0]->face, last_pair_[1]->face};
+        next.starts_there = exact_range(*last_pair_[0], *last_pair_[1]).low()->most == at;
+      } else if (const auto low = least_low_above(at); low && *low < first) {
+        next.to = *low;
+      }
+      at = next.to;
+      all.push_back(std::move(next));
+    }
+    return all;
+  }
+
   /// Returns the normals, in the view, of planes along which the solids part at the first exit of the last question.
   std::vector<kernel::Number_point<kernel::Rational>> normals()
   {
@@ -202,9 +234,11 @@ class Exit_search {
   }
 
   /// Returns the largest `high` of all pairs of pieces. With a rise `through`, it looks only at pairs that have it
-  /// between their ends; nothing if there is none.
-  std::optional<Rational> largest_high(const Rational* through)
+  /// between their ends; nothing if there is none. With `or_starts`, it looks at plain triangles alone, also at those
+  /// that meet from that rise on.
+  std::optional<Rational> largest_high(const Rational* through, bool or_starts = false)
   {
+    const auto starts_after = [&](const Rational& low) { return or_starts ? low > *through : low >= *through; };
     // Names, since clang 14 lets no function object take a structured binding.
     const std::pair at = through ? CGAL::to_interval(*through) : std::pair(0.0, 0.0);
     const double least_at = at.first, most_at = at.second;
@@ -212,17 +246,19 @@ class Exit_search {
     std::vector<Candidate> candidates;
     const auto key = [&](const kernel::View_box& a, const kernel::View_box& b) -> std::optional<double> {
       const double most = kernel::most_rise(a, b);
-      if (through && (most <= least_at || kernel::least_rise(a, b) >= most_at)) return std::nullopt;
+      const double least = kernel::least_rise(a, b);
+      if (through && (most <= least_at || (or_starts ? least > most_at : least >= most_at))) return std::nullopt;
       return -most;
     };
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
+      if (or_starts && !(solid_[0].is_plain(a.face) && solid_[1].is_plain(b.face))) return;
       if (a.is_bounded && b.is_bounded) {
         const CGAL::Protect_FPU_rounding<true> upward;
         const auto range = enclosed(a, b);
         if (range.is_empty()) return;
         if (range.high()) {
-          const double most = range.high()->most;
-          if (most <= best || (through && (most <= least_at || range.low()->least >= most_at))) return;
+          const double most = range.high()->most, low = range.low()->least;
+          if (most <= best || (through && (most <= least_at || (or_starts ? low > most_at : low >= most_at)))) return;
         }
         if (range.is_certain() && (!through || (range.low()->most < least_at && range.high()->least > most_at))) {
           candidates.push_back({&a, &b, range.high()->least, range.high()->most, std::nullopt});
@@ -231,7 +267,7 @@ class Exit_search {
         }
       }
       const auto range = exact_range(a, b);
-      if (range.is_empty() || (through && !(range.low()->most < *through && *through < range.high()->most))) return;
+      if (range.is_empty() || (through && (starts_after(range.low()->most) || *through >= range.high()->most))) return;
       add_exact(candidates, a, b, range.high()->most);
       best = kernel::maximum(best, candidates.back().least);
     };
@@ -285,6 +321,27 @@ class Exit_search {
       if (!found || high < *found) note(c, found);
     }
     return *found;
+  }
+
+  /// Returns the least `low` of a pair that is above a rise; nothing if there is none.
+  std::optional<Rational> least_low_above(const Rational& rise)
+  {
+    const double least_at = CGAL::to_interval(rise).first;
+    double best = std::numeric_limits<double>::infinity();
+    std::optional<Rational> found;
+    search(
+        [&](const kernel::View_box& a, const kernel::View_box& b) -> std::optional<double> {
+          if (kernel::most_rise(a, b) < least_at) return std::nullopt;
+          return kernel::least_rise(a, b);
+        },
+        [&] { return best; },
+        [&](Seen_piece& a, Seen_piece& b) {
+          const auto range = exact_range(a, b);
+          if (range.is_empty() || range.low()->most <= rise || (found && range.low()->most >= *found)) return;
+          found = range.low()->most;
+          best = CGAL::to_interval(*found).second;
+        });
+    return found;
   }
 
   void note(const Candidate& c, std::optional<Rational>& found)

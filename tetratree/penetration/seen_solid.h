@@ -100,6 +100,9 @@ class Seen_solid {
     return boxes_(id.node(), [&](auto& boxes) { boxes = box_view_(tree_->node_of(id).boxes); })[std::size_t(id.lane())];
   }
 
+  /// True for a plain triangle.
+  bool is_plain(Index f) const { return sides_->of(f).is_plain; }
+
   /// True when all faces of a leaf are plain triangles.
   bool is_plain(Box_id leaf) const
   {
@@ -126,8 +129,6 @@ class Seen_solid {
 
  private:
   using Rational_piece = kernel::Convex_piece<kernel::Rational>;
-
-  bool is_plain(Index f) const { return sides_->of(f).is_plain; }
 
   void make_pieces(Index f, std::vector<Seen_piece>& pieces)
   {

@@ -119,8 +119,11 @@ class Certificates(unittest.TestCase):
                         self.assertEqual(value, line.split()[0])
                     elif answer["ask"] == "exit":
                         self.assertEqual([float(reading.exact(x)) for x in value], [float(x) for x in line.split()])
+                        self.assertEqual("overlap" in answer, value[0] != "0")
                     elif answer["ask"] == "depth":
                         self.assertLessEqual(float(reading.exact(value)) ** 0.5, float(line.split()[1]) * (1 + 1e-15))
+                        if value != "0":
+                            self.assertGreater(reading.exact(answer["low"]["square"]), 0.8 * reading.exact(value))
                     else:
                         self.assertEqual(value["face"] if value else "-", int(line.split()[0]) if line != "-" else "-")
 
