@@ -85,7 +85,8 @@ def spoiled_proofs(certificate):
             yield f"{way} lacks a node", changed(certificate, way, value[:-1])
         if value == "crossed":
             yield f"{way} is believed apart", changed(certificate, way, 0)
-        if "boxes" in way and "cover" not in way and key != "balls" and ("directions" in value or isinstance(value, list) and isinstance(value[0], int)):
+        is_pair = isinstance(value, list) and value and isinstance(value[0], int)
+        if "boxes" in way and "cover" not in way and key != "balls" and (is_pair or isinstance(value, dict)):
             yield f"{way} is believed long", changed(certificate, way, "long")
         if way[-2:] == ("low", "square"):
             yield f"{way} is more", changed(certificate, way, str(2 * Fraction(value)))

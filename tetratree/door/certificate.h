@@ -62,7 +62,7 @@ class Certificate {
   /// Asks the query for the exits, and adds them where they are proved. Requires and throws as above.
   Exits exits(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
               const std::array<std::string, 3>& direction);
-  /// Asks the query for the depth, and adds its upper bound where it is proved. Requires and throws as above.
+  /// Asks the query for the depth, and adds its bounds where they are proved. Requires and throws as above.
   Depth depth(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options = {});
 
   /// Returns how many answers had no proof and were left out.
@@ -81,11 +81,13 @@ class Certificate {
   /// shrinks, grows or moves aside a little has no contact left. Equal solids are proved where they have the same
   /// faces, too.
   bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
-  /// Adds what `Query::exits` answers, as fractions. True where the search finds a proof. Else nothing is added.
+  /// Adds what `Query::exits` answers, as fractions. True where the search finds a proof. Else nothing is added. That
+  /// no move before the first exit parts the solids is added where it is proved.
   bool exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction,
              const Exits& answer);
-  /// Adds the translation of `Query::depth`, an upper bound; the lower bound has no proof. True where it is proved, as
-  /// `meet` is in `relation`. Else nothing is added.
+  /// Adds the translation of `Query::depth`, an upper bound. True where it is proved, as `meet` is in `relation`. Else
+  /// nothing is added. A lower bound is added where a search of boxes proves one. It is near that of the answer, and
+  /// exact where the search closes all boxes.
   bool depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer);
   /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added, as for bodies that
   /// graze.

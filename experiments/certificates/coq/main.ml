@@ -762,7 +762,7 @@ let prove_relation answer bodies =
   | _ -> bad "there is no such answer"
 
 let prove_exit answer bodies =
-  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"] ["plane"; "way"; "gone"; "before"];
+  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"] ["plane"; "way"; "gone"; "before"; "overlap"];
   need_solids bodies;
   let along = vector ~number:given (get answer "direction") in
   let first, last = match vector ~size:2 (get answer "answer") with [f; l] -> (f, l) | _ -> assert false in
@@ -785,7 +785,7 @@ let prove_exit answer bodies =
   end
 
 let prove_depth answer bodies =
-  keys answer ["ask"; "pose_a"; "pose_b"; "answer"; "vector"] ["plane"; "way"];
+  keys answer ["ask"; "pose_a"; "pose_b"; "answer"; "vector"] ["plane"; "way"; "low"];
   need_solids bodies;
   let v = vector (get answer "vector") in
   need (Q.equal (List.fold_left (fun sum x -> Q.add sum (Q.mul x x)) Q.zero v) (exact (get answer "answer"))) "the translation has another length";

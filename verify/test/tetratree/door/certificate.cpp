@@ -143,6 +143,29 @@ BOOST_AUTO_TEST_CASE(exits_and_depths_are_proved)
   BOOST_TEST(is_proved(certificate));
 }
 
+BOOST_AUTO_TEST_CASE(that_no_shorter_move_parts_the_solids_is_proved)
+{
+  const Body small(scenes::unit_cube()), large(scenes::box({-2, -2, -2}, {5, 5, 5})), frame(scenes::cube_with_tunnel());
+  const auto count = [](const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  for (const Body* other : {&large, &frame, &small}) {
+    Query query(small, *other);
+    Certificate certificate(query);
+    const auto rotated = Pose::from_quaternion(3, 1, 2, 5, {0.75, 0.5, 0.125});
+    for (const Pose& pose : {Pose::translation(0.75, 0.125, 0), rotated}) {
+      BOOST_TEST(certificate.exits(query, pose, Pose(), {"1", "1/7", "1/3"}).first > 0);
+      BOOST_TEST(certificate.depth(query, pose, Pose()).low > 0);
+    }
+    const std::string text = certificate.text();
+    BOOST_TEST(count(text, "\"low\"") == 2u);
+    BOOST_TEST(count(text, "\"overlap\"") == 2u);
+    BOOST_TEST(is_proved(certificate));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(rigid_motions_are_proved)
 {
   using Ends = std::array<std::array<double, 7>, 2>;
