@@ -105,13 +105,15 @@ class Boxes(Crossings):
         need(dot(farthest, farthest) < (radius + other) ** 2, "two balls do not overlap for all translations of a box")
 
     def prove_no_contact(self, node, centre, half):
-        """The surfaces share no point for any translation of the box."""
+        """The surfaces share no point for any translation of the box that is shorter than the root of `square`."""
         need_keys(node, "directions cover")
         a, b = self.placed
 
         def apart(m, of_a, of_b, _):
-            reach = dot(m, centre) + sum(abs(m[k]) * half[k] for k in range(3))
-            need(a.extent(of_a, m)[1] + reach * self.scale < b.extent(of_b, m)[0], "two groups meet for a translation of a box")
+            gap = b.extent(of_b, m)[0] - a.extent(of_a, m)[1]
+            reach = (dot(m, centre) + sum(abs(m[k]) * half[k] for k in range(3))) * self.scale
+            is_long = gap > 0 and gap * gap >= self.square * dot(m, m) * self.scale * self.scale
+            need(gap > reach or is_long, "two groups meet for a translation of a box")
 
         prove_cover(node, a.body.root, b.body.root, apart)
 
@@ -178,7 +180,9 @@ def prove_before(rows, placed_at, along, first):
             need_form(len(row["pieces"]) == 2, "there are not two pieces")
             low, high = crossings.shifts(*row["pieces"], along)
             need(low < reached or low == reached and is_known, "a move is in no row")
-            reached, is_known, is_anchored = high, False, True
+            if high > reached:
+                reached, is_known = high, False
+            is_anchored = True
         elif "at" in row:
             need_keys(row, "at windings")
             need(exact(row["at"]) == reached < first, "a point is about another move")
@@ -187,7 +191,9 @@ def prove_before(rows, placed_at, along, first):
         else:
             need_keys(row, "from to directions cover")
             start, end = exact(row["from"]), exact(row["to"])
-            need(start <= reached, "a move is in no row")
+            least, most = min(start, end), max(start, end)
+            need(least < reached or least == reached and (is_known or least == start), "a move is in no row")
             prove_lines(row, placed_at(start), placed_at(end))
-            reached, is_known = max(reached, end), False
+            if most > reached:
+                reached, is_known = most, most == start
     need(is_anchored and reached >= first, "the rows do not lead to the first exit")

@@ -82,6 +82,7 @@ int milliseconds_to(Command_process::Deadline deadline)
 Command_process::Command_process(const std::vector<std::string>& words, Errors errors)
 {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   std::array<int, 2> in, out;
@@ -131,7 +132,8 @@ bool Command_process::send(const std::string& text, Deadline deadline)
       // That output ends is told unasked.
       std::array<pollfd, 3> ends = {pollfd{input_, POLLOUT, 0}, {output_, 0, 0}, {errors_.descriptor(), POLLIN, 0}};
       const int left = milliseconds_to(deadline);
-      if (left == 0 || (::poll(ends.data(), ends.size(), left) < 0 && errno != EINTR) || ends[1].revents != 0) return false;
+      if (left == 0 || (::poll(ends.data(), ends.size(), left) < 0 && errno != EINTR) || ends[1].revents != 0)
+        return false;
       errors_.drain();
     } else if (errno != EINTR) {
       return false;

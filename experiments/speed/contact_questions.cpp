@@ -13,7 +13,7 @@
 #include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/probe_subject.h"
-#include "verify/truth/cgal_contacts.h"
+#include "verify/truth/cgal_truth.h"
 #include "verify/truth/point_truth.h"
 #include "verify/truth/ray_truth.h"
 

@@ -175,19 +175,31 @@ inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
 }
 
 /// A requirement for two hulls: they are apart by more than the root of top / bottom, or by just that if `or_equal`.
+///
+/// With `sweep`, A has been moved by its centre, and is moved by all vectors of the box about that. Those that are no
+/// shorter than the root need not part the hulls.
 struct Gap_rule {
+  struct Sweep {
+    Exact_vector centre, half;
+  };
+
   Exact_number top = 0, bottom = 1;
   bool or_equal = false;
-  double rounded = 0;  ///< near the root, in rounded units
-  Exact_vector swept = {0, 0, 0};  ///< A is also moved by each vector of the box from minus this to this
+  double rounded = 0;  ///< near the distance that is asked for, in rounded units
+  std::optional<Sweep> sweep = {};
 
   /// True when B is beyond A along m by the required distance.
   bool operator()(const Hull& a, const Hull& b, const Exact_vector& m) const
   {
     Exact_number gap = extent(b, m, -1) - extent(a, m, 1);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Exact_number step = m[k] * swept[k];
-      gap = step.sign() == CGAL::NEGATIVE ? gap + step : gap - step;
+    if (sweep) {
+      Exact_number left = gap;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Exact_number step = m[k] * sweep->half[k];
+        left = step.sign() == CGAL::NEGATIVE ? left + step : left - step;
+      }
+      if (left.sign() == CGAL::POSITIVE) return true;
+      gap = gap + dot(m, sweep->centre);
     }
     if (gap.sign() != CGAL::POSITIVE) return false;
     const Exact_number square = gap * gap * bottom, least = top * dot(m, m);

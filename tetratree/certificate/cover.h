@@ -181,6 +181,25 @@ struct Covered_body {
   }
 };
 
+/// Returns directions that may part two faces that are near, or touch, in both senses. They are normals of each face,
+/// normals of its edges in its plane, and products of edges.
+inline std::vector<kernel::Exact_vector> parting_directions(const std::array<kernel::Exact_face, 2>& face)
+{
+  std::vector<kernel::Exact_vector> found;
+  for (const kernel::Exact_face& f : face) {
+    if (!f.plane) continue;
+    const kernel::Exact_vector normal = kernel::detail::normal_of(*f.plane);
+    found.push_back(normal);
+    for (const auto& [p, q] : f.edges) found.push_back(kernel::cross(normal, kernel::difference(q, p)));
+  }
+  for (const auto& [p, q] : face[0].edges)
+    for (const auto& [r, s] : face[1].edges)
+      found.push_back(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
+  for (std::size_t k = 0, count = found.size(); k < count; ++k)
+    found.push_back(kernel::detail::scaled(found[k], kernel::Exact_number(-1)));
+  return found;
+}
+
 /// A point that two pieces share.
 struct Common_point {
   std::array<Box_id, 2> piece;
@@ -243,15 +262,19 @@ class Pair_cover {
 
   bool pieces(Box_id a, Box_id b)
   {
-    const kernel::Exact_distance found = kernel::distance_of_faces(body_[0]->face(a), body_[1]->face(b));
+    const std::array<kernel::Exact_face, 2> face = {body_[0]->face(a), body_[1]->face(b)};
+    const kernel::Exact_distance found = kernel::distance_of_faces(face[0], face[1]);
+    const auto is_apart = [&](const kernel::Exact_vector& m) {
+      if (!keeps_rule(body_[0]->hull(a), body_[1]->hull(b), m)) return false;
+      search_.append(search_.add(m));
+      return true;
+    };
+    if (rule_.sweep && std::ranges::any_of(parting_directions(face), is_apart)) return true;
     if (found.is_zero()) {
       common_ = {{a, b}, found.on_a};
       return false;
     }
-    if (keeps_rule(body_[0]->hull(a), body_[1]->hull(b), found.direction)) {
-      search_.append(search_.add(found.direction));
-      return true;
-    }
+    if (is_apart(found.direction)) return true;
     for (int k = 0; k < 2; ++k) {
       const Element& element = body_[k]->groups->piece_of(k == 0 ? a : b);
       if (element.is_whole_face() && body_[k]->groups->tree().model().covering().plane_basis(element.face))

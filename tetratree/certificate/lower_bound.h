@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-/// Lower bounds of how far A must be moved to part two solids: of a depth, as boxes of translations, and of a first
-/// exit, as stretches of the way.
+/// Lower bounds of how far A must be moved to part two solids. That of a depth is proved by boxes of translations, that
+/// of a first exit by stretches of the way.
 namespace tetracone::tetratree {
 
 /// Returns the poses, with A moved by a vector.
@@ -84,8 +84,8 @@ inline std::array<kernel::Rational, 12> rows_of(const kernel::Pose& pose)
   return rows;
 }
 
-/// Appends the windings of a point inside of both solids: the centre of one of the balls, or a point near a common one
-/// of the surfaces. False where none is found.
+/// Appends the windings of a point inside of both solids. It is the centre of one of the balls, or it is near a common
+/// point of the surfaces. False where none is found.
 inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::array<std::vector<Ball>, 2>& balls)
 {
   for (const auto& of_body : balls)
@@ -115,38 +115,47 @@ inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_
     return moved(pair.pose, {s * along[0], s * along[1], s * along[2]});
   };
   std::vector<std::string> rows;
+  const auto add_point = [&](const kernel::Rational& s) {
+    Placed_pair there = pair.at(poses_at(s));
+    std::array<std::vector<Ball>, 2> balls;
+    for (std::size_t k = 0; k < 2; ++k) {
+      Inner_balls inner = bodies[k].balls();
+      inner.see(rows_of(there.pose[k]));
+      balls[k] = inner.seen();
+    }
+    rows.push_back("{\"at\":" + json_text(kernel::to_string(s)));
+    if (!add_point_of_both(rows.back(), there, balls)) return false;
+    rows.back() += '}';
+    return true;
+  };
+  // The surfaces may share a point at `to` alone.
+  const auto add_free = [&](const kernel::Rational& from, const kernel::Rational& to) {
+    const auto start = poses_at(from), end = poses_at(to);
+    Moving_pair moving(pair.groups(),
+                       {kernel::Body_motion::linear(start[0], end[0]), kernel::Body_motion::linear(start[1], end[1])});
+    Motion_cover cover(moving, 1, true, shortest);
+    if (!cover()) return false;
+    std::string row = "{\"from\":" + json_text(kernel::to_string(from));
+    add_key(row, "to");
+    row += json_text(kernel::to_string(to));
+    add_cover(row, cover.cover());
+    rows.push_back(row + '}');
+    return true;
+  };
   for (const Exit_search::Stretch& stretch :
        search.stretches(view.of(pair.pose[0]), view.of(pair.pose[1]), first * view.height())) {
     const kernel::Rational from = stretch.from / view.height(), to = stretch.to / view.height();
-    if (stretch.faces ? stretch.starts_there : from == 0) {
-      Placed_pair there = pair.at(poses_at(from));
-      std::array<std::vector<Ball>, 2> balls;
-      for (std::size_t k = 0; k < 2 && !stretch.faces; ++k) {
-        Inner_balls inner = bodies[k].balls();
-        inner.see(rows_of(there.pose[k]));
-        balls[k] = inner.seen();
-      }
-      std::string row = "{\"at\":" + json_text(kernel::to_string(from));
-      if (!add_point_of_both(row, there, balls)) return false;
-      rows.push_back(row + '}');
-    }
-    std::string row = "{";
     if (stretch.faces) {
-      add_key(row, "pieces");
-      if (!add_pieces(row, bodies, *stretch.faces)) return false;
-    } else {
-      add_key(row, "from");
-      row += json_text(kernel::to_string(from));
-      add_key(row, "to");
-      row += json_text(kernel::to_string(to));
-      const auto start = poses_at(from), end = poses_at(to);
-      Moving_pair moving(pair.groups(), {kernel::Body_motion::linear(start[0], end[0]),
-                                         kernel::Body_motion::linear(start[1], end[1])});
-      Motion_cover cover(moving, 1, true, shortest);
-      if (!cover()) return false;
-      add_cover(row, cover.cover());
+      if (stretch.starts_there && !add_point(from)) return false;
+      rows.push_back("{\"pieces\":");
+      if (!add_pieces(rows.back(), bodies, *stretch.faces)) return false;
+      rows.back() += '}';
+    } else if (from == 0) {
+      if (!add_point(from) || !add_free(from, to)) return false;
+    } else if (!add_free(from, to)) {
+      const kernel::Rational middle = (from + to) / 2;
+      if (!add_point(from) || !add_free(middle, from) || !add_free(middle, to)) return false;
     }
-    rows.push_back(row + '}');
   }
   add_key(text, "overlap");
   add_list(text, rows, [](const std::string& row) { return row; });
@@ -160,7 +169,7 @@ class Lower_bound {
   Lower_bound(Placed_pair& pair, const Two_bodies& bodies) : pair_(&pair), bodies_(&bodies) {}
 
   /// Appends, as `low`, the proof for a translation that parts the solids. The search ends where the bracket's width is
-  /// this share of its length, or earlier: a proof that gets too long is made of fewer boxes. The bound is exact where
+  /// this share of its length, or earlier. A proof that gets too long is made of fewer boxes. The bound is exact where
   /// the search closes all boxes. False where no bound above 0 is proved.
   bool operator()(std::string& text, const kernel::Rational_point& vector, double relative)
   {
@@ -176,9 +185,8 @@ class Lower_bound {
     for (const std::size_t boxes : {20000, 2000, 200}) {
       const Depth_bracket bracket = search.prove(rows[0], rows[1], vector, {relative, boxes}, proof_);
       if (proof_.nodes.empty() || !(bracket.least > 0)) return false;
-      std::string low = "{\"square\":" + json_text(kernel::to_string(
-                                              bracket.is_exact ? bracket.square
-                                                               : kernel::Rational(bracket.least) * bracket.least));
+      square_ = bracket.is_exact ? bracket.square : kernel::Rational(bracket.least) * bracket.least;
+      std::string low = "{\"square\":" + json_text(kernel::to_string(square_));
       if (!add_proof(low)) continue;
       add_key(text, "low");
       text += low + '}';
@@ -255,8 +263,13 @@ class Lower_bound {
     if (text.size() > most_bytes) return false;
     const kernel::Rational_point centre = {box.centre[0], box.centre[1], box.centre[2]};
     Placed_pair pair = pair_->at(moved(pair_->pose, centre));
-    kernel::Gap_rule rule;
-    for (std::size_t k = 0; k < 3; ++k) rule.swept[k] = kernel::Exact_number(box.half[k]) * pair.weight;
+    const kernel::Exact_number& weight = pair.weight;
+    kernel::Gap_rule rule{exact(square_.get_num()) * weight * weight, exact(square_.get_den()), true, 0};
+    rule.sweep.emplace();
+    for (std::size_t k = 0; k < 3; ++k) {
+      rule.sweep->centre[k] = kernel::Exact_number(box.centre[k]) * weight;
+      rule.sweep->half[k] = kernel::Exact_number(box.half[k]) * weight;
+    }
     const double diagonal = std::hypot(box.half[0], box.half[1], box.half[2]);
     rule.rounded = kernel::Exact_number(kernel::Exact_number(diagonal) * pair.weight * pair.rounding).to_double();
     try {
@@ -272,8 +285,8 @@ class Lower_bound {
     }
     const auto axis = std::size_t(std::ranges::max_element(box.half) - box.half.begin());
     return halvings > 0 && add_halves(text, box, axis, [&](const Box& half, unsigned) {
-      return add_cover_of(text, half, halvings - 1);
-    });
+             return add_cover_of(text, half, halvings - 1);
+           });
   }
 
   /// A ball of the proof: its body, and its number there.
@@ -316,6 +329,7 @@ class Lower_bound {
   Placed_pair* pair_;
   const Two_bodies* bodies_;
   Depth_proof proof_;
+  kernel::Rational square_;
   std::vector<Ball_number> used_;
 };
 

@@ -85,21 +85,9 @@ class Motion_cover {
   static std::vector<kernel::Exact_vector> candidates(Placed_pair& pair, const std::array<Box_id, 2>& piece)
   {
     const std::array<kernel::Exact_face, 2> face = pair.faces(piece);
-    std::vector<kernel::Exact_vector> candidates;
-    const auto add = [&](const kernel::Exact_vector& m) {
-      candidates.push_back(m);
-      candidates.push_back(kernel::detail::scaled(m, kernel::Exact_number(-1)));
-    };
+    std::vector<kernel::Exact_vector> candidates = parting_directions(face);
     const kernel::Exact_distance found = kernel::distance_of_faces(face[0], face[1]);
-    if (!found.is_zero()) candidates.push_back(found.direction);
-    for (const kernel::Exact_face& f : face) {
-      if (!f.plane) continue;
-      const kernel::Exact_vector normal = kernel::detail::normal_of(*f.plane);
-      add(normal);
-      for (const auto& [p, q] : f.edges) add(kernel::cross(normal, kernel::difference(q, p)));
-    }
-    for (const auto& [p, q] : face[0].edges)
-      for (const auto& [r, s] : face[1].edges) add(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
+    if (!found.is_zero()) candidates.insert(candidates.begin(), found.direction);
     return candidates;
   }
 

@@ -45,20 +45,6 @@ inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pa
   return {{kernel::Rational(middle[0]), kernel::Rational(middle[1]), kernel::Rational(middle[2])}, size};
 }
 
-/// Returns directions that may part bodies which touch in two faces: normals, and products of edges, in both senses.
-inline std::vector<kernel::Exact_vector> parting_directions(const std::array<kernel::Exact_face, 2>& face)
-{
-  std::vector<kernel::Exact_vector> found;
-  for (const kernel::Exact_face& f : face)
-    if (f.plane) found.push_back(kernel::detail::normal_of(*f.plane));
-  for (const auto& [p, q] : face[0].edges)
-    for (const auto& [r, s] : face[1].edges)
-      found.push_back(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
-  for (std::size_t k = 0, count = found.size(); k < count; ++k)
-    found.push_back(kernel::detail::scaled(found[k], kernel::Exact_number(-1)));
-  return found;
-}
-
 /// True when m is a direction along which hull a ends where hull b begins, or before.
 inline bool leads_between(const kernel::Exact_vector& m, const kernel::Hull& a, const kernel::Hull& b)
 {

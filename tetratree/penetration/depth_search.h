@@ -124,8 +124,11 @@ class Depth_search {
     boxes_left_ = limits.most_boxes;
     proof_ = &proof;
     proof.nodes.clear();
-    search([](const kernel::Rational_point& d) { return Exit{d, {}}; },
-           [](const kernel::Rational_point&) { return true; }, limits);
+    search(
+        [](const kernel::Rational_point& d) {
+          return Exit{d, {}};
+        },
+        [](const kernel::Rational_point&) { return true; }, limits);
     proof_ = nullptr;
     return found_;
   }
@@ -284,8 +287,8 @@ class Depth_search {
     found_.is_exact = true;
   }
 
-  /// Returns why the shortest translation that is not in P is not in the box. If that is not known, it returns `halved`,
-  /// and `near` has what may meet for some translations of the box.
+  /// Returns why the shortest translation that is not in P is not in the box. If that is not known, it returns
+  /// `halved`, and `near` has what may meet for some translations of the box.
   Depth_proof::Node closed_by(const Open_box& open, Near& near)
   {
     const auto is_held = [&](std::uint32_t k) {

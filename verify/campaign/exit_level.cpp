@@ -4,7 +4,6 @@
 #include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/relations/convex_body.h"
 #include "verify/truth/exit_truth.h"
-#include "verify/truth/minkowski_truth.h"
 
 #include <array>
 #include <optional>
@@ -12,13 +11,11 @@
 namespace tetracone::verify {
 namespace {
 
-using kernel::Question;
-
 /// An answer says the first and the last exit along the case's direction. The value of either is the number of what is
 /// right of it: the fraction, and the nearest double. The truth says whether the interiors share a point at the start,
 /// and whether they do again after the first exit. Families that count exits are one truth, the events of all pairs
-/// another, and the formula for convex solids a third. Minkowski sums of Nef polyhedra tell the depth, beside those that
-/// count it and the formula: the bracket must hold it, and be exact where it says so.
+/// another, and the formula for convex solids a third. Minkowski sums of Nef polyhedra tell the depth, beside those
+/// that count it and the formula. The bracket must hold it, and be exact where it says so.
 class Exit_page : public Page<levels::Exits> {
  public:
   std::array<Question, 1> questions(const Object_case&) const { return {Question::solid}; }

@@ -2,7 +2,6 @@
 #include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/integer_truth/integer_contacts.h"
 #include "verify/integer_truth/integer_features.h"
-#include "verify/truth/cgal_contacts.h"
 #include "verify/truth/cgal_truth.h"
 
 namespace tetracone::verify {

@@ -64,6 +64,7 @@ const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/pred
                                                                    {"tetratree/certificate", "tetratree/fast"},
                                                                    {"tetratree/certificate", "tetratree/door"},
                                                                    {"tetratree/certificate", "tetratree/memory"},
+                                                                   {"tetratree/certificate", "tetratree/penetration"},
                                                                    {"tetratree/door", "tetratree/contact"},
                                                                    {"tetratree/door", "tetratree/paper"},
                                                                    {"tetratree/door", "tetratree/fast"},

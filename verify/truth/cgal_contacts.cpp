@@ -1,4 +1,4 @@
-#include "verify/truth/cgal_contacts.h"
+#include "verify/truth/cgal_truth.h"
 
 #include "verify/truth/brute_body.h"
 #include "verify/truth/placed_body.h"

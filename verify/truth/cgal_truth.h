@@ -4,7 +4,9 @@
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
+#include "verify/cases/case.h"
 #include "verify/truth/brute_body.h"
+#include "verify/truth/contact_pieces.h"
 #include "verify/truth/placed_body.h"
 
 #include <array>
@@ -73,6 +75,10 @@ std::vector<Feature_pair> features(const Placed_body& a, const Placed_body& b);
 
 /// Places the bodies, and returns these pairs. Requires poses whose det M is not 0.
 std::vector<Feature_pair> features(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const Pose& pose_b);
+
+/// Returns all maximal pieces of the intersections of faces, sorted. CGAL triangulates the faces and intersects the
+/// triangles in rationals; the parts of each pair of faces are then joined. Requires det M != 0 and planar faces.
+Contact_forms contacts(const Object_case& c);
 
 }  // namespace tetracone::verify
 

@@ -1,4 +1,4 @@
-#include "verify/truth/minkowski_truth.h"
+#include "verify/truth/exit_truth.h"
 
 #include "verify/truth/placed_body.h"
 
@@ -70,7 +70,8 @@ bool holds(const Nef& set, const Point& x)
 std::optional<Rational> minkowski_squared_depth(const Object_case& c)
 {
   const Brute_body body_a(*c.a), body_b(*c.b);
-  std::optional<Nef> a = interior(Placed_body(body_a, c.pose_a), true), b = interior(Placed_body(body_b, c.pose_b), false);
+  std::optional<Nef> a = interior(Placed_body(body_a, c.pose_a), true),
+                     b = interior(Placed_body(body_b, c.pose_b), false);
   if (!a || !b) return std::nullopt;
   const Nef overlapping = CGAL::minkowski_sum_3(*a, *b);
   const Point zero(0, 0, 0);

@@ -1,6 +1,5 @@
 #include "verify/truth/overlap_truth.h"
 
-#include "verify/truth/cgal_contacts.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/surface_pieces.h"
 

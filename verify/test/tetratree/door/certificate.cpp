@@ -145,13 +145,13 @@ BOOST_AUTO_TEST_CASE(exits_and_depths_are_proved)
 
 BOOST_AUTO_TEST_CASE(that_no_shorter_move_parts_the_solids_is_proved)
 {
-  const Body small(scenes::unit_cube()), large(scenes::box({-2, -2, -2}, {5, 5, 5})), frame(scenes::cube_with_tunnel());
+  const Body small(scenes::unit_cube()), large(scenes::box({-2, -2, -2}, {5, 5, 5}));
   const auto count = [](const std::string& text, const std::string& what) {
     std::size_t found = 0;
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
     return found;
   };
-  for (const Body* other : {&large, &frame, &small}) {
+  for (const Body* other : {&large, &small}) {
     Query query(small, *other);
     Certificate certificate(query);
     const auto rotated = Pose::from_quaternion(3, 1, 2, 5, {0.75, 0.5, 0.125});

@@ -2,7 +2,7 @@
 #include "verify/integer_truth/integer_contacts.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/self_touching.h"
-#include "verify/truth/cgal_contacts.h"
+#include "verify/truth/cgal_truth.h"
 #include "verify/truth/self_truth.h"
 
 #include <boost/test/unit_test.hpp>

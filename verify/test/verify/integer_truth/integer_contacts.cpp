@@ -1,7 +1,7 @@
 #include "verify/integer_truth/integer_contacts.h"
 
 #include "verify/test/support/object_cases.h"
-#include "verify/truth/cgal_contacts.h"
+#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,7 +2,6 @@
 
 #include "verify/cases/lego.h"
 #include "verify/test/support/object_cases.h"
-#include "verify/truth/minkowski_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
