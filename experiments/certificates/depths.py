@@ -45,9 +45,10 @@ class Crossings:
         """The corners of a piece of body k that is a triangle with an inside, which no other piece of the body meets."""
         body = self.placed[k].body
         at = self.placed[k].at
-        f = [at[v] for loop in body.pieces[index(n, body.pieces, "piece")][1] for v in loop]
+        loops = body.pieces[index(n, body.pieces, "piece")][1]
+        f = [at[v] for v in loops[0]]
         if (k, n) not in self.plain:
-            need(len(f) == 3 and any(cross(minus(f[1], f[0]), minus(f[2], f[0]))), "a piece that crosses another is no triangle")
+            need(len(loops) == 1 and len(f) == 3 and any(cross(minus(f[1], f[0]), minus(f[2], f[0]))), "a piece that crosses another is no triangle")
             for other, (_, loops) in enumerate(body.pieces):
                 # The triangles of a fan over its edges hold all points of a piece.
                 fan = ([at[v] for v in (loops[0][0], p, q)] for p, q in edges(loops))
@@ -179,10 +180,8 @@ def prove_before(rows, placed_at, along, first):
             need_keys(row, "pieces")
             need_form(len(row["pieces"]) == 2, "there are not two pieces")
             low, high = crossings.shifts(*row["pieces"], along)
-            need(low < reached or low == reached and is_known, "a move is in no row")
-            if high > reached:
-                reached, is_known = high, False
-            is_anchored = True
+            need(high > reached and (low < reached or low == reached and is_known), "a move is in no row")
+            reached, is_known, is_anchored = high, False, True
         elif "at" in row:
             need_keys(row, "at windings")
             need(exact(row["at"]) == reached < first, "a point is about another move")

@@ -13,7 +13,9 @@ SOURCE = pathlib.Path(__file__).resolve().parents[4]
 FOLDER = SOURCE / "experiments/certificates"
 PROGRAM = os.environ["TETRACONE_PROGRAM"]
 sys.path.insert(0, str(FOLDER))
+import bodies  # noqa: E402
 import check  # noqa: E402
+import depths  # noqa: E402
 import lies  # noqa: E402
 import reading  # noqa: E402
 
@@ -153,6 +155,32 @@ class Certificates(unittest.TestCase):
             self.assertNotEqual(spoiled[key[-1]], value)
             spoiled[key[-1]] = value
             self.assertFalse(lies.believed(json.dumps(certificate), files))
+
+    def test_pieces_that_cross_are_triangles_that_nothing_else_meets(self):
+        corners = [["0", "0", "0"], ["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"], ["1/4", "1/4", "-1"], ["1/4", "1/4", "1"], ["1/2", "1/4", "1"]]
+        tetrahedron = [[[0, 2, 1]], [[0, 1, 3]], [[1, 2, 3]], [[0, 3, 2]]]
+        doubled, through, needle = [[[0, 1, 2]], [[0, 2, 1]]], [[[4, 5, 6]], [[4, 6, 5]]], [[[4, 5]]]
+        for more, piece, reason in (([], 0, None), ([], 2, None), ([[[0], [1], [2]]], 4, "no triangle"), ([[[0, 1], [2]]], 4, "no triangle"),
+                                    (doubled, 0, "meets one"), (through, 0, "meets one"), (through, 4, "meets one"), (needle, 0, "meets one")):
+            entry = reading.Object([("vertices", corners), ("faces", tetrahedron + more)])
+            placed = bodies.Placed(bodies.Body(entry, None))
+            with self.subTest(more=more, piece=piece):
+                if reason is None:
+                    depths.Crossings([placed] * 2).triangle(0, piece)
+                else:
+                    with self.assertRaisesRegex(reading.Refused, reason):
+                        depths.Crossings([placed] * 2).triangle(0, piece)
+
+    def test_rows_of_an_exit_begin_with_a_common_point(self):
+        text, files = next((text, files) for text, _, files, *_ in self.certificates if '"overlap":[' in text)
+        certificate = json.loads(text)
+        answer = next(answer for answer in certificate["answers"] if "overlap" in answer)
+        certificate["answers"] = [answer]
+        self.assertTrue(lies.believed(json.dumps(certificate), files))
+        for rows in ([], answer["overlap"][1:], answer["overlap"][:-1], [{"at": "1", "windings": []}] + answer["overlap"]):
+            answer["overlap"], kept = rows, answer["overlap"]
+            self.assertFalse(lies.believed(json.dumps(certificate), files))
+            answer["overlap"] = kept
 
     def test_a_flat_solid_in_a_face_does_not_meet_but_is_covered(self):
         flat = {"vertices": [["0", "0", "1"], ["1", "0", "1"], ["0", "1", "1"]], "faces": [[[0, 1, 2]], [[2, 1, 0]]]}
