@@ -707,7 +707,7 @@ Answers with their proofs: a dict that experiments/certificates/check.py, a prog
 proves when it is written as JSON. The bodies stand in it.
 
 ask: "collide", "distance", "within" (with `limit`), "relation" (the eight of `solid_relation`), "exits" (with
-`direction`) or "depth" (the upper bound). Answers of the last three that have no proof are left out. Other arguments
+`direction`) or "depth" (its bounds). Answers of the last three that have no proof are left out. Other arguments
 and errors as of the method of that name; "relation" is `solid_relation`.
 
 >>> import tetracone
