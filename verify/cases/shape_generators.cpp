@@ -5,7 +5,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <algorithm>
@@ -384,8 +383,11 @@ Polyhedron decimate(const Polyhedron& polyhedron, std::size_t faces)
   }
   if (!CGAL::is_closed(mesh)) refuse("not closed");
 
-  // Each collapse removes 3 edges and 2 faces, and 3 F = 2 E; the predicate stops below its number.
-  simplification::edge_collapse(mesh, simplification::Count_stop_predicate<Mesh>(3 * faces / 2 + 1));
+  // Each collapse removes 3 edges and 2 faces, and 3 F = 2 E. CGAL 6 has another name for the predicate that counts.
+  const auto is_done = [faces](const auto&, const auto&, std::size_t, std::size_t edges) {
+    return edges <= 3 * faces / 2;
+  };
+  simplification::edge_collapse(mesh, is_done);
   mesh.collect_garbage();
   if (mesh.number_of_faces() != faces) refuse("no edge can be collapsed any more");
 
