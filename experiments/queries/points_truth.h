@@ -7,10 +7,14 @@
 #include "verify/truth/cgal_truth.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
+#if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6, which warns of the other header
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -23,8 +27,12 @@ namespace tetracone::experiments {
 
 using Exact_predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Cgal_mesh = CGAL::Surface_mesh<Exact_predicates::Point_3>;
-using Cgal_tree =
-    CGAL::AABB_tree<CGAL::AABB_traits<Exact_predicates, CGAL::AABB_face_graph_triangle_primitive<Cgal_mesh>>>;
+using Cgal_primitive = CGAL::AABB_face_graph_triangle_primitive<Cgal_mesh>;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+using Cgal_tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Exact_predicates, Cgal_primitive>>;
+#else
+using Cgal_tree = CGAL::AABB_tree<CGAL::AABB_traits<Exact_predicates, Cgal_primitive>>;
+#endif
 
 /// Returns points at random in a box a tenth larger than the body's. With `near_surface`, each is within 1e-3 of a
 /// random point of a random face, where 1 is half of the body's largest extent; this requires triangles.
