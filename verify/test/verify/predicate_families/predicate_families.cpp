@@ -69,7 +69,7 @@ bool is_on_a_plane(const Predicate_case& c)
   return false;
 }
 
-const Predicate_subject& subject(const std::string& name)
+const Predicate_subject& subject(const char* name)
 {
   return *std::find_if(predicate_subjects().begin(), predicate_subjects().end(),
                        [&](const auto& s) { return s.name == name; });
