@@ -67,6 +67,8 @@ class Body:
             parts = triangles.get(f)
             self.pieces += [(f, [triangle]) for triangle in parts] if parts else [(f, loops)]
             need(parts or self.is_flat[f], f"face {f} is neither planar nor cut")
+            corners = {v for loop in loops for v in loop}
+            need(not parts or all(v in corners for part in parts for v in part), f"a triangle of face {f} has a corner that is none of the face's")
             need(not parts or balance(edges(loops)) == balance(edges(parts)), f"the triangles of face {f} have another boundary")
             need(not parts or {frozenset(e) for e in edges(loops)} <= {frozenset(e) for e in edges(parts)}, f"face {f} has an edge without a triangle")
 

@@ -36,7 +36,8 @@ def is_clear(f, h):
 
 
 class Crossings:
-    """Pairs of triangles that go through one another, A moved by a translation. Then the interiors share a point."""
+    """Pairs of triangles that go through one another, A moved by a translation. Then the interiors share a point: the winding number
+    changes by 1 across each triangle, and two sides on which it is not 0 share points, since the planes cross."""
 
     def __init__(self, placed):
         self.placed, self.plain, self.scale = placed, set(), on_one_scale(*placed)
@@ -89,6 +90,7 @@ class Boxes(Crossings):
 
     def prove_crossing(self, f, g, centre, half):
         """The triangles go through one another for each translation of the box that is shorter than the root of `square`."""
+        f, g = (index(n, p.body.pieces, "piece") for n, p in zip((f, g), self.placed))
         if (f, g) not in self.cutting:
             # All shorter translations v have scale n . v < limit where the limit's plane does not cut their ball.
             self.cutting[f, g] = [(n, limit) for n, limit in self.limits(f, g)
@@ -173,7 +175,7 @@ def prove_low(entry, placed):
 def prove_before(rows, placed_at, along, first):
     """The interiors share a point for all moves of A along the direction from 0 to before the first.
 
-    Each row begins where all shorter moves are known to be so, or are at least not on the border of such moves."""
+    No move below `reached` is on the border of such moves; `is_known` says so of `reached` itself."""
     crossings, reached, is_known, is_anchored = Crossings(placed_at(Fraction(0))), Fraction(0), False, False
     for row in rows:
         if "pieces" in row:

@@ -65,15 +65,18 @@ def other_values(value):
 
 def spoiled_proofs(certificate):
     """What proves nothing, whatever the answer is."""
+    opens_groups = any(f'["{body}"' in json.dumps(certificate["answers"]) for body in "ab")
     for way in places(certificate):
         key, value = way[-1], at(certificate, way)
-        # All keys that are written are needed, but the triangles of groups that no cover opens, the end of a ray behind its hit, and a bound
-        # that an answer does not claim.
-        is_needless = key in ("end", "low", "overlap") or key == "cut" and "groups" not in at(certificate, way[:-1])
+        # All keys that are written are needed, but groups that no cover opens and their triangles, the end of a ray behind its hit, and a
+        # bound that an answer does not claim.
+        is_needless = key in ("end", "low", "overlap") or key in ("cut", "groups") and not (opens_groups and "groups" in at(certificate, way[:-1]))
         if isinstance(key, str) and not is_needless:
             rest = {name: below for name, below in at(certificate, way[:-1]).items() if name != key}
             yield f"{way} is missing", changed(certificate, way[:-1], rest)
             yield f"{way} is another object", changed(certificate, way, {})
+        if len(way) > 3 and way[-3] == "cut" and key > 0:
+            yield f"{way} is another vertex", changed(certificate, way, value + 4)
         if key == "sha256":
             yield f"{way} of another file", changed(certificate, way, value[::-1])
         if key == "winding" and type(value) is int:

@@ -171,6 +171,19 @@ class Certificates(unittest.TestCase):
                     with self.assertRaisesRegex(reading.Refused, reason):
                         depths.Crossings([placed] * 2).triangle(0, piece)
 
+    def test_a_face_is_cut_by_its_own_corners(self):
+        lines = CUBE.split("\n")
+        vertices, faces = [line.split() for line in lines[2:10]], [[[int(v) for v in line.split()[1:]]] for line in lines[10:16]]
+        for apex, is_legal in ((8, False), (None, True)):
+            square = faces[1][0]
+            cut = [[1, *square[:3]], [1, square[2], square[3], square[0]]] if is_legal else [[1, apex, square[k - 1], square[k]] for k in range(4)]
+            entry = reading.Object([("vertices", vertices + [["9", "1/2", "1/2"]]), ("faces", faces), ("cut", cut)])
+            if is_legal:
+                self.assertTrue(bodies.Body(entry, None).is_closed)
+            else:
+                with self.assertRaisesRegex(reading.Refused, "none of the face's"):
+                    bodies.Body(entry, None)
+
     def test_rows_of_an_exit_begin_with_a_common_point(self):
         text, files = next((text, files) for text, _, files, *_ in self.certificates if '"overlap":[' in text)
         certificate = json.loads(text)
