@@ -13,7 +13,7 @@ fuzz_packages=(clang libjemalloc2)
 # of the Python package, its notebooks and the Debian packages, which skip without them.
 test_packages=(clang-format clang-tidy gappa coq ocaml-nox ocaml-findlib libzarith-ocaml-dev
   python3 python3-matplotlib python3-pil python3-selenium chromium chromium-driver libembree-dev
-  python3-pip jupyter-nbconvert python3-ipykernel dpkg-dev)
+  python3-pip jupyter-nbconvert python3-ipykernel dpkg-dev file)
 # For the Python package.
 python_packages=(pybind11-dev python3-dev python3-numpy)
 # What builds it for pip; Debian 12 has it among its backports alone.

@@ -203,7 +203,7 @@ py::object relation(Locked_query& self, const py::object& poses_b, const py::obj
   ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
     answer[k] = to_string(query.collide(a, b).relation());
   });
-  if (poses.is_one()) return py::str(answers[py::int_(0)]);
+  if (poses.is_one()) return answers[py::int_(0)].attr("item")();
   return answers;
 }
 
@@ -266,7 +266,7 @@ py::object solid_relation(Locked_query& self, const py::object& poses_b, const p
     relation[k] = to_string(contact.relation);
     dimension[k] = std::int8_t(contact.dimension);
   });
-  if (poses.is_one()) return py::make_tuple(py::str(relations[py::int_(0)]), int(dimension[0]));
+  if (poses.is_one()) return py::make_tuple(relations[py::int_(0)].attr("item")(), int(dimension[0]));
   return py::make_tuple(relations, dimensions);
 }
 

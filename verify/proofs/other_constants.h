@@ -49,6 +49,8 @@ inline std::vector<Other_constant> other_constants()
       {"tetratree/certificate/approach.h", "0x1p-10", unit, "a unit of random places to try"},
       {"tetratree/certificate/ways.h", "0x1p-4", choice, "a share of a body's size that is tried"},
       {"tetratree/certificate/ways.h", "shortest", choice, "where a cover over intervals is given up"},
+      {"tetratree/certificate/lower_bound.h", "shortest", choice, "where a cover over intervals is given up"},
+      {"tetratree/certificate/lower_bound.h", "0x1p-20", choice, "a share of a radius, so that covers have room"},
       {"tetratree/certificate/fractions.h", "0x1p-1000", unit, "a power of two, by which an exact number is scaled"},
       {"kernel/bound/relative_motion.h", "least_step", choice, "steps are multiples of it, exactly"},
       {"kernel/bound/triangle_distance.h", "0x1p-40", choice, "where the search for nearer points ends"},

@@ -79,8 +79,8 @@ class Arrays(Case):
         corner = "body: face 0 has a corner of type {}; expected vertex numbers, or loops of them"
         face = "body: face 0 is of type {}; expected a sequence of vertex numbers, or of loops of them"
         all_faces = "faces: of type {}; expected an array (m, k) of integers, or a sequence of faces"
-        for faces, line in (([[0, 1, True]], corner.format("bool")), ([[np.True_, 1, 2]], corner.format("bool_")),
-                            (np.ones((2, 3), bool), corner.format("bool_")), (["012"], face.format("str")), ([b"\0\1\2"], face.format("bytes")),
+        for faces, line in (([[0, 1, True]], corner.format("bool")), ([[np.True_, 1, 2]], corner.format(np.bool_.__name__)),
+                            (np.ones((2, 3), bool), corner.format(np.bool_.__name__)), (["012"], face.format("str")), ([b"\0\1\2"], face.format("bytes")),
                             ("012", all_faces.format("str")), (b"\0\1\2", all_faces.format("bytes")), ({0: 1}, all_faces.format("dict")),
                             ((f for f in CUBE[1]), all_faces.format("generator")), (np.ones((2, 3)), corner.format("float64"))):
             self.error(line, Body, CUBE[0], faces)
