@@ -85,7 +85,7 @@ class Answers(Case):
             self.assertEqual(Query(*read).collide(poses).tolist(), Query(a, b).collide(poses).tolist())
 
     def test_inside_is_the_program_s(self):
-        points = [[0.5, 0.5, 0.5], [1, 1, 1], [0.5, 0.5, 1], [0.5, 0.5, np.nextafter(1, 2)], [2, 0, 0]]
+        points = [[0.5, 0.5, 0.5], [1, 1, 1], [0.5, 0.5, 1], [0.5, 0.5, float(np.nextafter(1, 2))], [2, 0, 0]]
         with tempfile.TemporaryDirectory() as folder:
             names = [os.path.join(folder, name) for name in ("a.off", "points.txt")]
             for name, text in zip(names, (off_of(Body(*CUBE)), "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in points))):
