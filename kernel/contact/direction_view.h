@@ -58,15 +58,19 @@ class Direction_view {
   Rational height_;
 };
 
+/// Returns a pose as a row-major 3x4 matrix.
+inline std::array<Rational, 12> rows_of(const Pose& pose)
+{
+  std::array<Rational, 12> rows;
+  for (int k = 0; k < 12; ++k) rows[k] = pose.exact(k);
+  return rows;
+}
+
 /// Returns the pose a moved by s d, and the pose b. Where an entry of the first exceeds the doubles, both are divided
 /// by one number, which changes no relation of bodies.
 inline std::array<Pose, 2> moved_along(const Pose& a, const Pose& b, const Rational_point& d, const Rational& s)
 {
-  std::array<std::array<Rational, 12>, 2> rows;
-  for (int k = 0; k < 12; ++k) {
-    rows[0][k] = a.exact(k);
-    rows[1][k] = b.exact(k);
-  }
+  std::array<std::array<Rational, 12>, 2> rows = {rows_of(a), rows_of(b)};
   for (int i = 0; i < 3; ++i) rows[0][4 * i + 3] += s * d[i];
   const auto is_finite = [](const Rational& x) { return std::isfinite(nearest_double(x)); };
   if (std::ranges::all_of(rows[0], is_finite)) return {Pose(rows[0]), b};

@@ -27,10 +27,9 @@ namespace tetracone::tetratree {
 /// Returns the poses, with A moved by a vector.
 inline Placed_pair::Poses moved(Placed_pair::Poses poses, const kernel::Rational_point& by)
 {
-  std::array<kernel::Rational, 12> entries;
-  for (std::size_t k = 0; k < 12; ++k)
-    entries[k] = poses[0].exact(int(k)) + (k % 4 == 3 ? by[k / 4] : kernel::Rational(0));
-  poses[0] = kernel::Pose(entries);
+  std::array<kernel::Rational, 12> rows = kernel::rows_of(poses[0]);
+  for (std::size_t k = 0; k < 3; ++k) rows[4 * k + 3] += by[k];
+  poses[0] = kernel::Pose(rows);
   return poses;
 }
 
@@ -77,13 +76,6 @@ inline bool add_pieces(std::string& text, const Two_bodies& bodies, const std::a
   return true;
 }
 
-inline std::array<kernel::Rational, 12> rows_of(const kernel::Pose& pose)
-{
-  std::array<kernel::Rational, 12> rows;
-  for (std::size_t k = 0; k < 12; ++k) rows[k] = pose.exact(int(k));
-  return rows;
-}
-
 /// Appends the windings of a point inside of both solids. It is the centre of one of the balls, or it is near a common
 /// point of the surfaces. False where none is found.
 inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::array<std::vector<Ball>, 2>& balls)
@@ -115,13 +107,14 @@ inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_
     return moved(pair.pose, {s * along[0], s * along[1], s * along[2]});
   };
   std::vector<std::string> rows;
+  std::vector<Inner_balls> inner;  // of both bodies, made where the first point is needed
   const auto add_point = [&](const kernel::Rational& s) {
     Placed_pair there = pair.at(poses_at(s));
     std::array<std::vector<Ball>, 2> balls;
+    if (inner.empty()) inner = {bodies[0].balls(), bodies[1].balls()};
     for (std::size_t k = 0; k < 2; ++k) {
-      Inner_balls inner = bodies[k].balls();
-      inner.see(rows_of(there.pose[k]));
-      balls[k] = inner.seen();
+      inner[k].see(kernel::rows_of(there.pose[k]));
+      balls[k] = inner[k].seen();
     }
     rows.push_back("{\"at\":" + json_text(kernel::to_string(s)));
     if (!add_point_of_both(rows.back(), there, balls)) return false;
@@ -175,7 +168,7 @@ class Lower_bound {
   {
     const auto& [a, b] = *bodies_;
     Depth_search search(a.seen(), b.seen(), a.balls(), b.balls());
-    const std::array rows = {rows_of(pair_->pose[0]), rows_of(pair_->pose[1])};
+    const std::array rows = {kernel::rows_of(pair_->pose[0]), kernel::rows_of(pair_->pose[1])};
     for (const bool of_b : {false, true})
       for (Ball ball : search.balls(of_b, rows[of_b])) {
         // A cover that shows the ball to be inside needs room.

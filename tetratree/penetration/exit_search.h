@@ -238,7 +238,9 @@ class Exit_search {
   /// that meet from that rise on.
   std::optional<Rational> largest_high(const Rational* through, bool or_starts = false)
   {
-    const auto starts_after = [&](const Rational& low) { return or_starts ? low > *through : low >= *through; };
+    const auto starts_after = [or_starts](const auto& low, const auto& rise) {
+      return or_starts ? low > rise : low >= rise;
+    };
     // Names, since clang 14 lets no function object take a structured binding.
     const std::pair at = through ? CGAL::to_interval(*through) : std::pair(0.0, 0.0);
     const double least_at = at.first, most_at = at.second;
@@ -246,8 +248,7 @@ class Exit_search {
     std::vector<Candidate> candidates;
     const auto key = [&](const kernel::View_box& a, const kernel::View_box& b) -> std::optional<double> {
       const double most = kernel::most_rise(a, b);
-      const double least = kernel::least_rise(a, b);
-      if (through && (most <= least_at || (or_starts ? least > most_at : least >= most_at))) return std::nullopt;
+      if (through && (most <= least_at || starts_after(kernel::least_rise(a, b), most_at))) return std::nullopt;
       return -most;
     };
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
@@ -257,8 +258,8 @@ class Exit_search {
         const auto range = enclosed(a, b);
         if (range.is_empty()) return;
         if (range.high()) {
-          const double most = range.high()->most, low = range.low()->least;
-          if (most <= best || (through && (most <= least_at || (or_starts ? low > most_at : low >= most_at)))) return;
+          const double most = range.high()->most;
+          if (most <= best || (through && (most <= least_at || starts_after(range.low()->least, most_at)))) return;
         }
         if (range.is_certain() && (!through || (range.low()->most < least_at && range.high()->least > most_at))) {
           candidates.push_back({&a, &b, range.high()->least, range.high()->most, std::nullopt});
@@ -267,7 +268,9 @@ class Exit_search {
         }
       }
       const auto range = exact_range(a, b);
-      if (range.is_empty() || (through && (starts_after(range.low()->most) || *through >= range.high()->most))) return;
+      if (range.is_empty() ||
+          (through && (starts_after(range.low()->most, *through) || *through >= range.high()->most)))
+        return;
       add_exact(candidates, a, b, range.high()->most);
       best = kernel::maximum(best, candidates.back().least);
     };

@@ -129,12 +129,8 @@ class Bvh8_relation_solver : public Relation_solver {
       return found;
     };
     const auto meet = [&](const kernel::Rational_point& v) { return meet_after(pose_a, pose_b, v, 1); };
-    const auto rows = [](const kernel::Pose& pose) {
-      std::array<kernel::Rational, 12> rows;
-      for (int k = 0; k < 12; ++k) rows[std::size_t(k)] = pose.exact(k);
-      return rows;
-    };
-    return told((*depth_search_)(rows(pose_a), rows(pose_b), exit, meet, {options.relative, options.budget}));
+    return told((*depth_search_)(kernel::rows_of(pose_a), kernel::rows_of(pose_b), exit, meet,
+                                 {options.relative, options.budget}));
   }
 
   tetratree::Query_statistics statistics() const override
