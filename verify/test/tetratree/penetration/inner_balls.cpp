@@ -1,6 +1,7 @@
 #include "tetracone/tetratree/penetration/inner_balls.h"
 
 #include "tetracone/covering/star_faces.h"
+#include "tetracone/kernel/contact/direction_view.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/nearest_truth.h"
 #include "verify/truth/point_truth.h"
@@ -25,13 +26,6 @@ using tetracone::kernel::Rational;
 
 namespace {
 
-std::array<Rational, 12> rows_of(const Pose& pose)
-{
-  std::array<Rational, 12> rows;
-  for (int k = 0; k < 12; ++k) rows[std::size_t(k)] = pose.exact(k);
-  return rows;
-}
-
 /// A body, and balls inside it.
 struct Filled {
   explicit Filled(const Polyhedron& body)
@@ -40,7 +34,7 @@ struct Filled {
 
   const std::vector<Ball>& seen(const Pose& pose)
   {
-    balls.see(rows_of(pose));
+    balls.see(tetracone::kernel::rows_of(pose));
     return balls.seen();
   }
 
