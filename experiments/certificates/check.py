@@ -167,13 +167,18 @@ def prove_border(entry, placed, inner):
 
 def prove_just_before(entry, placed, along):
     """Whenever A has a little way to go along the direction, the interiors share a point. Points inside of both bodies lead up to a
-    point: those of B against the direction, or those of A along it. When A is moved back, points of the one are within the other."""
+    point, those of A ahead and those of B behind. When A is moved back, points of the one are within the other."""
     need_keys(entry, "point in_a in_b")
     x = vector(entry["point"])
     (in_a, of_a), (in_b, of_b) = (prove_approach(entry[key], placed, k, x) for k, key in enumerate(("in_a", "in_b")))
     need(of_a != 0 and of_b != 0, "a segment does not begin inside")
-    ways = minus(in_a, x), minus(x, in_b)
-    need(any(dot(v, along) > 0 and not any(cross(v, along)) for v in ways), "no segment is along the direction")
+    # The direction is a sum of multiples of both ways, none of them negative.
+    ahead, behind = minus(in_a, x), minus(x, in_b)
+    if any(n := cross(ahead, behind)):
+        between = dot(n, along) == 0 <= min(dot(cross(along, behind), n), dot(cross(ahead, along), n))
+    else:
+        between = any(dot(v, along) > 0 and not any(cross(v, along)) for v in (ahead, behind))
+    need(between, "the segments do not lead along the direction")
 
 
 def prove_relation(answer, bodies):

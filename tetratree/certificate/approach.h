@@ -13,20 +13,58 @@
 /// Points inside or outside a solid, each with a free segment to a given point. They prove what is next to that point.
 namespace tetracone::tetratree {
 
-/// Appends a point that is inside of body `holder` or, unless `is_inside`, outside, and a segment from it to x. The
-/// segment meets the surface at its end x at the earliest. With `along`, it leads against that direction. False where
-/// none of the points that are tried has both.
+/// A placed body, and a point x in space to which segments lead.
+class Approach {
+ public:
+  /// `holder` is the body. The denominators of `more` are those that points beside x may have.
+  Approach(const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
+           const kernel::Rational_point& more = {})
+      : pair_(at), holder_(holder), x_(x)
+  {
+    const mpz_class common = lcm(common_denominator(x), common_denominator(more));
+    pair_.body[holder] =
+        placed(*pair_.body[holder].groups, pair_.pose[holder], pair_.pose[1 - holder], exact(kernel::Rational(common)));
+    by_ = kernel::Rational(common) * kernel::Rational(pair_.weight);
+  }
+
+  /// Appends y, and the segment from it to x, which meets the surface at its end x at the earliest. False where y is
+  /// not inside, or not outside as `is_inside` says, or the segment is not free.
+  bool operator()(std::string& text, const kernel::Rational_point& y, bool is_inside)
+  {
+    if (y == x_) return false;
+    const kernel::Exact_vector start = exact(y, by_), end = exact(x_, by_);
+    const auto row = winding_row(pair_, int(holder_), "\"point\":" + strings_of(y), start);
+    if (!row || (row->second != 0) != is_inside) return false;
+    Probe_cover cover(pair_.body[holder_], Probe{start, end, {}});
+    const bool is_free = cover([&](Box_id, const kernel::Exact_face& f, bool) {
+      const auto m = kernel::direction_of_first_touch(f, start, end);
+      if (!m) return Probe_cover::Met::stops;
+      cover.search().append(cover.search().add(*m));
+      return Probe_cover::Met::is_covered;
+    });
+    if (!is_free) return false;
+    text += "{\"winding\":" + row->first;
+    add_cover(text, cover.cover());
+    text += '}';
+    return true;
+  }
+
+ private:
+  Placed_pair pair_;
+  std::size_t holder_;
+  kernel::Rational_point x_;
+  kernel::Rational by_;  // x times it has the scale of the body
+};
+
+/// Appends a point that is inside of body `holder` or, unless `is_inside`, outside, and a segment from it to x. With
+/// `along`, it leads against that direction. False where none of the points that are tried has both.
 inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {
   Placed_pair pair = at;
   const double size = middle_of(pair, holder).second, length = along ? longest_part(*along).get_d() : 1;
-  const mpz_class common = along ? lcm(common_denominator(x), common_denominator(*along)) : common_denominator(x);
-  pair.body[holder] =
-      placed(*pair.body[holder].groups, pair.pose[holder], pair.pose[1 - holder], exact(kernel::Rational(common)));
-  const kernel::Rational by = kernel::Rational(common) * kernel::Rational(pair.weight);
+  Approach approach(at, holder, x, along.value_or(kernel::Rational_point{}));
   constexpr int most_points = 192, points_of_a_size = 8;
-  const auto weighted = [&](const kernel::Rational_point& p) { return exact(p, by); };
   for (int n = 0; n < most_points; ++n) {
     kernel::Rational_point y = x;
     const double far = std::ldexp(size, 1 - n / points_of_a_size);
@@ -34,21 +72,7 @@ inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t h
     for (std::size_t c = 0; c < 3; ++c)
       y[c] += along ? kernel::Rational(kernel::Rational(std::exp2(std::rint(std::log2(far / length)))) * (*along)[c])
                     : kernel::Rational(far * pair.random(10) * 0x1p-10);
-    if (y == x) continue;
-    const auto row = winding_row(pair, int(holder), "\"point\":" + strings_of(y), weighted(y));
-    if (!row || (row->second != 0) != is_inside) continue;
-    Probe_cover cover(pair.body[holder], Probe{weighted(y), weighted(x), {}});
-    const bool is_free = cover([&](Box_id, const kernel::Exact_face& f, bool) {
-      const auto m = kernel::direction_of_first_touch(f, weighted(y), weighted(x));
-      if (!m) return Probe_cover::Met::stops;
-      cover.search().append(cover.search().add(*m));
-      return Probe_cover::Met::is_covered;
-    });
-    if (!is_free) continue;
-    text += "{\"winding\":" + row->first;
-    add_cover(text, cover.cover());
-    text += '}';
-    return true;
+    if (approach(text, y, is_inside)) return true;
   }
   return false;
 }
@@ -89,9 +113,124 @@ inline std::vector<kernel::Rational_point> points_near(const Placed_pair& pair, 
   return points;
 }
 
-/// Appends a proof that the interiors share a point just before A, moved along a direction, comes to its pose.
-inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::Rational_point& along)
+using Rational_triangle = std::array<kernel::Rational_point, 3>;
+
+/// A triangle of A and one of B, A at an exit. They go through one another when A is a little way before it, and no
+/// farther from it than `length` times the direction.
+struct Crossing_before {
+  std::array<Rational_triangle, 2> triangle;
+  kernel::Rational length;
+};
+
+/// Returns the ends of the segment that two triangles share. Nothing where they do not go through one another.
+inline std::optional<std::array<kernel::Rational_point, 2>> shared_segment(
+    const std::array<Rational_triangle, 2>& triangle)
 {
+  using kernel::Rational;
+  using kernel::Rational_point;
+  const auto normal = [](const Rational_triangle& t) {
+    return kernel::cross(kernel::difference(t[1], t[0]), kernel::difference(t[2], t[0]));
+  };
+  const std::array<Rational_point, 2> normals = {normal(triangle[0]), normal(triangle[1])};
+  const Rational_point way = kernel::cross(normals[0], normals[1]);
+  std::array<std::optional<Rational_point>, 2> end;  // the last of the first points, and the first of the last ones
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Rational_triangle &t = triangle[k], &other = triangle[1 - k];
+    std::array<std::optional<Rational_point>, 2> of_this;
+    const auto keep = [&](const Rational_point& x) {
+      if (!of_this[0] || kernel::dot(way, x) < kernel::dot(way, *of_this[0])) of_this[0] = x;
+      if (!of_this[1] || kernel::dot(way, x) > kernel::dot(way, *of_this[1])) of_this[1] = x;
+    };
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Rational_point &p = t[c], &q = t[(c + 1) % 3];
+      const Rational at_p = kernel::dot(normals[1 - k], kernel::difference(p, other[0])),
+                     at_q = kernel::dot(normals[1 - k], kernel::difference(q, other[0]));
+      if (at_p == 0) keep(p);
+      if (sgn(at_p) * sgn(at_q) >= 0) continue;
+      const Rational share = at_p / (at_p - at_q);
+      Rational_point x;
+      for (std::size_t i = 0; i < 3; ++i) x[i] = p[i] + share * (q[i] - p[i]);
+      keep(x);
+    }
+    if (!of_this[0]) return std::nullopt;
+    if (!end[0] || kernel::dot(way, *of_this[0]) > kernel::dot(way, *end[0])) end[0] = of_this[0];
+    if (!end[1] || kernel::dot(way, *of_this[1]) < kernel::dot(way, *end[1])) end[1] = of_this[1];
+  }
+  if (!(kernel::dot(way, *end[0]) < kernel::dot(way, *end[1]))) return std::nullopt;
+  return std::array{*end[0], *end[1]};
+}
+
+/// Appends what `add_just_before` does, by two triangles that go through one another before the exit.
+///
+/// The middle of the segment that they share moves on a line while A comes to the exit; x is where that line ends.
+/// Points beside the segment, one of the four sides of the two triangles, are inside of both bodies. Such a point, and
+/// the one to which A takes it, lead to x.
+inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const kernel::Rational_point& along,
+                              const Crossing_before& crossing)
+{
+  using kernel::Rational;
+  using kernel::Rational_point;
+  const auto before = [&](const Rational& step) {
+    auto triangle = crossing.triangle;
+    for (Rational_point& corner : triangle[0])
+      for (std::size_t c = 0; c < 3; ++c) corner[c] -= step * along[c];
+    return shared_segment(triangle);
+  };
+  const auto middle = [](const std::array<Rational_point, 2>& segment) -> Rational_point {
+    return {(segment[0][0] + segment[1][0]) / 2, (segment[0][1] + segment[1][1]) / 2,
+            (segment[0][2] + segment[1][2]) / 2};
+  };
+  const double length = crossing.length.get_d();
+  if (!(length > 0x1p-900 && length < 0x1p900)) return false;
+  for (const int smaller : {1, 4, 8, 16}) {
+    const Rational step = std::ldexp(1.0, std::ilogb(length) - smaller);
+    const auto segment = before(step), closer = before(step / 2);
+    if (!segment || !closer) continue;
+    const Rational_point q = middle(*segment), half_way = middle(*closer);
+    const Rational_point x = {2 * half_way[0] - q[0], 2 * half_way[1] - q[1], 2 * half_way[2] - q[2]};
+    // Vectors across the segment in both triangles, as long as it is.
+    const Rational_point way = kernel::difference((*segment)[1], (*segment)[0]);
+    std::array<kernel::Rounded_vector, 2> across;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Rational_triangle& t = crossing.triangle[k];
+      const Rational_point exact_across =
+          kernel::cross(kernel::cross(kernel::difference(t[1], t[0]), kernel::difference(t[2], t[0])), way);
+      const Rational by = longest_part(way) / longest_part(exact_across);
+      for (std::size_t c = 0; c < 3; ++c) across[k][c] = Rational(exact_across[c] * by).get_d();
+    }
+    Approach of_a(pair, 0, x, along), of_b(pair, 1, x, along);
+    for (const double share : {0x1p-2, 0x1p-5})
+      for (const int side : {0, 1, 2, 3}) {
+        const double size = share * longest_part(way).get_d();
+        if (!(size > 0x1p-900)) continue;
+        const Rational unit = std::ldexp(1.0, std::ilogb(size) - 10);
+        Rational_point in_b, in_a;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double aside = share * ((side & 1 ? 1 : -1) * across[0][c] + (side & 2 ? 1 : -1) * across[1][c]);
+          const Rational units = (q[c] + Rational(aside)) / unit;
+          in_b[c] = Rational(mpz_class(units.get_num() / units.get_den())) * unit;
+          in_a[c] = in_b[c] + step * along[c];
+        }
+        std::string both = text + (text.back() == '[' ? "{" : ",{");
+        add_key(both, "point");
+        both += strings_of(x);
+        add_key(both, "in_a");
+        if (!of_a(both, in_a, true)) continue;
+        add_key(both, "in_b");
+        if (!of_b(both, in_b, true)) continue;
+        text = both + '}';
+        return true;
+      }
+  }
+  return false;
+}
+
+/// Appends a proof that the interiors share a point just before A, moved along a direction, comes to its pose.
+inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::Rational_point& along,
+                            const std::vector<Crossing_before>& crossings)
+{
+  for (const Crossing_before& crossing : crossings)
+    if (add_from_crossing(text, pair, along, crossing)) return true;
   std::string unused = "{";
   const auto met = cover_or_meet(unused, pair);
   if (!met) return false;

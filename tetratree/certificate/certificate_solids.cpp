@@ -121,10 +121,13 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   text += "}";
   add_key(text, "before");
   text += '[';
-  for (const Placed_pair* pair : {&std::as_const(first), &last})
-    if (!add_just_before(text, *pair, along)) return data_->leave_out();
+  const Placed_pair start = first.at({pose_a, pose_b});
+  const tetratree::Two_bodies bodies = data_->triangles();
+  for (const std::size_t k : {0, 1})
+    if (!add_just_before(text, k == 0 ? first : last, along, crossings_before(start, bodies, along, exit[k])))
+      return data_->leave_out();
   text += ']';
-  add_stretches(text, first.at({pose_a, pose_b}), data_->triangles(), along, exit[0]);
+  add_stretches(text, start, bodies, along, exit[0]);
   data_->keep(std::move(text));
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/contact/crossing_polytope.h"
 #include "tetracone/kernel/contact/direction_view.h"
+#include "tetracone/tetratree/certificate/approach.h"
 #include "tetracone/tetratree/certificate/sides.h"
 #include "tetracone/tetratree/certificate/ways.h"
 #include "tetracone/tetratree/door/body_data.h"
@@ -45,6 +46,21 @@ class Numbered_triangles {
 
   Seen_solid seen() const { return {body_->bvh8(), body_->polyhedron, body_->solid_sides()}; }
   Inner_balls balls() const { return {body_->bvh8(), body_->point_locator()}; }
+
+  /// Returns the corners of a triangle at a pose.
+  Rational_triangle corners(Index triangle, const kernel::Pose& pose) const
+  {
+    const covering::Loop loop = body_->polyhedron.loop(triangle, 0);
+    Rational_triangle placed;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const covering::Vertex& v = body_->polyhedron.vertices[loop[k]];
+      for (int c = 0; c < 3; ++c)
+        placed[k][std::size_t(c)] = pose.exact(4 * c) * kernel::Rational(v[0]) +
+                                    pose.exact(4 * c + 1) * kernel::Rational(v[1]) +
+                                    pose.exact(4 * c + 2) * kernel::Rational(v[2]) + pose.exact(4 * c + 3);
+    }
+    return placed;
+  }
 
   /// Returns the number of the piece that a triangle is; nothing where the pieces divide its face in another way.
   std::optional<std::size_t> operator()(Index triangle) const
@@ -93,6 +109,23 @@ inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::a
   std::string unused = "{";
   const auto met = cover_or_meet(unused, pair);
   return met && add_sides(text, pair, *met, {{true, true}});
+}
+
+/// Returns a few crossings of triangles just before an exit. `at_start` are the bodies as they were given.
+inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start, const Two_bodies& bodies,
+                                                     const kernel::Rational_point& along, const kernel::Rational& exit)
+{
+  constexpr std::size_t most_crossings = 4;
+  const kernel::Direction_view view(along);
+  Exit_search search(bodies[0].seen(), bodies[1].seen());
+  const auto pose = moved(at_start.pose, {exit * along[0], exit * along[1], exit * along[2]});
+  std::vector<Crossing_before> crossings;
+  for (const Exit_search::Stretch& stretch : search.stretches_before(
+           view.of(at_start.pose[0]), view.of(at_start.pose[1]), exit * view.height(), most_crossings))
+    crossings.push_back(
+        {{bodies[0].corners((*stretch.faces)[0], pose[0]), bodies[1].corners((*stretch.faces)[1], pose[1])},
+         (stretch.to - stretch.from) / view.height()});
+  return crossings;
 }
 
 /// Appends, as `overlap`, why the interiors share a point for all moves along a direction from 0 to before the first

@@ -113,6 +113,39 @@ class Exit_search {
     return all;
   }
 
+  /// Returns pairs of triangles that go through one another at all rises from a lower one to an exit, and at none
+  /// above it. They are at most `most_pairs`, each with its stretch. Requires what the search requires, and an exit
+  /// that it returns.
+  std::vector<Stretch> stretches_before(const std::array<kernel::Rational, 12>& map_a,
+                                        const std::array<kernel::Rational, 12>& map_b, const kernel::Rational& exit,
+                                        std::size_t most_pairs)
+  {
+    solid_[0].see(map_a);
+    solid_[1].see(map_b);
+    const std::pair at = CGAL::to_interval(exit);
+    const double least_at = at.first, most_at = at.second;
+    std::vector<Stretch> found;
+    search(
+        [&](const kernel::View_box& a, const kernel::View_box& b) -> std::optional<double> {
+          if (kernel::most_rise(a, b) < least_at || kernel::least_rise(a, b) > most_at) return std::nullopt;
+          return 0;
+        },
+        [&] { return found.size() < most_pairs ? 0.0 : -1.0; },
+        [&](Seen_piece& a, Seen_piece& b) {
+          if (found.size() == most_pairs) return;
+          if (a.is_bounded && b.is_bounded) {
+            const CGAL::Protect_FPU_rounding<true> upward;
+            const auto about = enclosed(a, b);
+            if (about.is_empty() || (about.high() && (about.high()->most < least_at || about.high()->least > most_at)))
+              return;
+          }
+          const auto range = exact_range(a, b);
+          if (range.is_empty() || range.high()->most != exit || !(range.low()->most < exit)) return;
+          found.push_back({range.low()->most, exit, std::array{a.face, b.face}, true});
+        });
+    return found;
+  }
+
   /// Returns the normals, in the view, of planes along which the solids part at the first exit of the last question.
   std::vector<kernel::Number_point<kernel::Rational>> normals()
   {

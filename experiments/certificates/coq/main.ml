@@ -713,9 +713,14 @@ let need_just_before entry places along =
   let in_a, of_a = need_approach (get entry "in_a") places 0 x in
   let in_b, of_b = need_approach (get entry "in_b") places 1 x in
   need (of_a <> 0 && of_b <> 0) "a segment does not begin inside";
-  let d = whole along in
-  let is_along p q = let v = whole (List.map2 Q.sub p q) in Z.sign (Core.zdot v d) > 0 && Core.zcross v d = zero in
-  need (is_along in_a x || is_along x in_b) "no segment is along the direction"
+  (* The direction is a sum of multiples of both ways, none of them negative. *)
+  let d = whole along and ahead = whole (List.map2 Q.sub in_a x) and behind = whole (List.map2 Q.sub x in_b) in
+  let n = Core.zcross ahead behind in
+  let is_along v = Z.sign (Core.zdot v d) > 0 && Core.zcross v d = zero in
+  need
+    (if n = zero then is_along ahead || is_along behind
+     else Z.sign (Core.zdot n d) = 0 && Z.sign (Core.zdot (Core.zcross d behind) n) >= 0 && Z.sign (Core.zdot (Core.zcross ahead d) n) >= 0)
+    "the segments do not lead along the direction"
 
 (* All faces by the places of their corners, from the least one of each loop; a face that is not planar is its triangles. *)
 let shapes places k =
