@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <utility>
@@ -22,41 +24,105 @@ namespace tetracone::kernel {
 using Rounded_vector = std::array<double, 3>;
 
 /// Exact points, and doubles near them. All doubles are multiplied by one common factor, so that they are finite.
-struct Hull_points {
-  std::vector<Exact_vector> exact;
-  std::vector<Rounded_vector> rounded;
-  std::optional<Exact_number> factor = {};  ///< the points were multiplied by it and rounded
-  double largest = 0;                       ///< largest absolute value of a rounded coordinate
+///
+/// The points are given, or are the images of points under an affine map. Images are multiplied out when they are asked
+/// for: a search in doubles needs few of them exactly.
+class Hull_points {
+ public:
+  Hull_points() = default;
+  explicit Hull_points(std::initializer_list<Exact_vector> points) : size_(points.size()), made_(points) {}
+  /// The images of `corners`, which must outlive this object, under a row-major 3x4 matrix.
+  Hull_points(std::span<const Rounded_vector> corners, const std::array<Exact_number, 12>& map)
+      : size_(corners.size()), corners_(corners), map_(map), place_(corners.size())
+  {}
+
+  std::size_t size() const { return size_; }
+
+  /// Returns point v exactly.
+  const Exact_vector& exact(std::size_t v) const
+  {
+    if (!map_) return made_[v];
+    if (place_[v] == 0) {
+      const Exact_number x(corners_[v][0]), y(corners_[v][1]), z(corners_[v][2]);
+      const auto row = [&](std::size_t i) -> Exact_number {
+        const auto& m = *map_;
+        return m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
+      };
+      made_.push_back({row(0), row(4), row(8)});
+      place_[v] = std::uint32_t(made_.size());
+    }
+    return made_[place_[v] - 1];
+  }
+
+  /// Returns point v in doubles. Each coordinate is its nearest double for points that were given; it is off by at most
+  /// `error` for images. Requires rounded points.
+  const Rounded_vector& rounded(std::size_t v) const { return rounded_[v]; }
+  double error() const { return error_; }
+  /// Returns the largest absolute value of a rounded coordinate.
+  double largest() const { return largest_; }
+  const std::optional<Exact_number>& factor() const { return factor_; }
 
   /// Rounds all points, multiplied by a factor, unless they are.
   void round(const Exact_number& by)
   {
-    if (factor && *factor == by && rounded.size() == exact.size()) return;
-    rounded.resize(exact.size());
-    largest = 0;
-    for (std::size_t v = 0; v < exact.size(); ++v)
-      for (int k = 0; k < 3; ++k) {
-        rounded[v][k] = Exact_number(exact[v][k] * by).to_double();
-        largest = maximum(largest, std::abs(rounded[v][k]));
-      }
-    factor = by;
+    if (factor_ && *factor_ == by) return;
+    factor_ = by;
+    rounded_.resize(size_);
+    largest_ = error_ = 0;
+    if (map_)
+      round_images();
+    else
+      for (std::size_t v = 0; v < size_; ++v)
+        for (std::size_t k = 0; k < 3; ++k) rounded_[v][k] = Exact_number(made_[v][k] * by).to_double();
+    for (const Rounded_vector& x : rounded_)
+      largest_ = maximum(largest_, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]));
   }
+
+ private:
+  void round_images()
+  {
+    // An entry and a product are rounded once, and the first product by three sums: 5 of 2^-53, of the sum of absolute
+    // values, which is rounded as often. An entry that underflows is off by 2^-1075, whatever it is multiplied by.
+    constexpr double rounding = 0x1p-50, underflow = 0x1p-1072;
+    std::array<double, 12> m;
+    for (std::size_t k = 0; k < 12; ++k) m[k] = Exact_number((*map_)[k] * *factor_).to_double();
+    double most = 0, farthest = 1;
+    for (std::size_t v = 0; v < size_; ++v) {
+      const auto& [x, y, z] = corners_[v];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double *const row = &m[4 * k], a = row[0] * x, b = row[1] * y, c = row[2] * z;
+        rounded_[v][k] = a + b + c + row[3];
+        most = maximum(most, std::abs(a) + std::abs(b) + std::abs(c) + std::abs(row[3]));
+      }
+      farthest = maximum(farthest, maximum(std::abs(x), std::abs(y), std::abs(z)));
+    }
+    error_ = rounding * most + underflow * farthest;
+  }
+
+  std::size_t size_ = 0;
+  std::span<const Rounded_vector> corners_;
+  std::optional<std::array<Exact_number, 12>> map_;
+  mutable std::vector<std::uint32_t> place_;  // of each image in `made_`, from 1; 0 where it is not made
+  mutable std::deque<Exact_vector> made_;
+  std::vector<Rounded_vector> rounded_;
+  std::optional<Exact_number> factor_;  // the points were multiplied by it and rounded
+  double error_ = 0, largest_ = 0;
 };
 
 /// Rounds the points of two hulls, multiplied by one power of 2 for which products of a few coordinates are finite.
 /// Returns that power.
 inline Exact_number round_together(Hull_points& a, Hull_points& b)
 {
-  Exact_number factor = b.factor.value_or(Exact_number(1));
+  Exact_number factor = b.factor().value_or(Exact_number(1));
   // Products of three numbers of this range neither overflow nor vanish. The coordinates of placed doubles need few
   // steps; where all points are 0, no step helps.
   constexpr double least = 0x1p-200, most = 0x1p200, step = 0x1p300;
   for (int k = 0; k < 40; ++k) {
     a.round(factor);
     b.round(factor);
-    const double size = maximum(a.largest, b.largest);
+    const double size = maximum(a.largest(), b.largest());
     if (size >= least && size <= most) break;
-    factor = factor * Exact_number(size > most ? 1 / step : step);
+    factor = factor * Exact_number(size < least ? step : 1 / step);
   }
   return factor;
 }
@@ -82,7 +148,7 @@ inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair
   const auto middle = [](const Hull& hull) {
     Rounded_vector sum{};
     for (const std::uint32_t v : hull.corners)
-      for (int k = 0; k < 3; ++k) sum[k] += hull.points->rounded[v][k];
+      for (int k = 0; k < 3; ++k) sum[k] += hull.points->rounded(v)[k];
     for (double& x : sum) x /= double(hull.corners.size());
     return sum;
   };
@@ -103,8 +169,8 @@ inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair
     const auto support = [&](const Hull& hull, double sign) {
       std::size_t best = hull.corners[0];
       for (const std::uint32_t v : hull.corners)
-        if (sign * dot(z, hull.points->rounded[v]) > sign * dot(z, hull.points->rounded[best])) best = v;
-      return hull.points->rounded[best];
+        if (sign * dot(z, hull.points->rounded(v)) > sign * dot(z, hull.points->rounded(best))) best = v;
+      return hull.points->rounded(best);
     };
     std::optional<Rounded_vector> least;
     for (const Hull_pair& pair : pairs) {
@@ -168,7 +234,7 @@ inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
 {
   std::optional<Exact_number> best;
   for (const std::uint32_t v : hull.corners) {
-    Exact_number at = dot(m, hull.points->exact[v]);
+    Exact_number at = dot(m, hull.points->exact(v));
     if (!best || (sign < 0 ? at < *best : at > *best)) best = std::move(at);
   }
   return *best;
@@ -211,7 +277,7 @@ struct Gap_rule {
 inline Exact_face exact_face(const Hull& hull, bool has_plane)
 {
   Exact_face face;
-  const auto at = [&](std::size_t k) { return hull.points->exact[hull.corners[k % hull.corners.size()]]; };
+  const auto at = [&](std::size_t k) { return hull.points->exact(hull.corners[k % hull.corners.size()]); };
   for (std::size_t k = 0; k < hull.corners.size(); ++k) face.edges.push_back({at(k), at(k + 1)});
   if (has_plane) face.plane = {at(0), at(1), at(2)};
   return face;

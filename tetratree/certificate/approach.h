@@ -101,7 +101,7 @@ inline std::vector<kernel::Rational_point> points_near(const Placed_pair& pair, 
     const auto& corners = pair.body[k].groups->group(met.piece[k]).corners;
     const kernel::Rational share(1, std::uint32_t(corners.size()));
     for (const std::uint32_t v : corners) {
-      const kernel::Rational_point at = rational(pair.body[k].points.exact[v]);
+      const kernel::Rational_point at = rational(pair.body[k].points.exact(v));
       for (std::size_t c = 0; c < 3; ++c) way[k][c] += share * (at[c] / kernel::Rational(pair.weight) - x[c]);
     }
   }

@@ -23,7 +23,7 @@ bool Certificate::Data::have_same_faces(const Placed_pair& pair) const
     for (Index f = 0; f < polyhedron.face_count(); ++f) {
       Face face(polyhedron.loop_count(f));
       for (std::size_t l = 0; l < face.size(); ++l) {
-        for (const Index v : polyhedron.loop(f, l)) face[l].push_back(pair.body[k].points.exact[v]);
+        for (const Index v : polyhedron.loop(f, l)) face[l].push_back(pair.body[k].points.exact(v));
         std::rotate(face[l].begin(), std::ranges::min_element(face[l]), face[l].end());
       }
       std::ranges::sort(face);

@@ -27,17 +27,18 @@ void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign,
   const kernel::Rounded_vector way = {sign * m[0].to_double(), sign * m[1].to_double(), sign * m[2].to_double()};
   const kernel::Rounded_vector size = {std::abs(way[0]), std::abs(way[1]), std::abs(way[2])};
   double last = -HUGE_VAL, largest = 0;
-  const auto& rounded = hull.points->rounded;
+  const kernel::Hull_points& points = *hull.points;
   for (const std::uint32_t v : hull.corners) {
-    last = kernel::maximum(last, kernel::dot(way, rounded[v]));
-    largest = kernel::maximum(largest,
-                              kernel::dot(size, kernel::Rounded_vector{std::abs(rounded[v][0]), std::abs(rounded[v][1]),
-                                                                       std::abs(rounded[v][2])}));
+    const kernel::Rounded_vector& x = points.rounded(v);
+    last = kernel::maximum(last, kernel::dot(way, x));
+    largest = kernel::maximum(
+        largest, kernel::dot(size, kernel::Rounded_vector{std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}));
   }
   const bool is_rounded = kernel::maximum(size[0], size[1], size[2]) >= least;
-  const double behind = is_rounded ? last - rounding * largest : -HUGE_VAL;
+  const double off = rounding * largest + 2 * points.error() * (1 + rounding) * (size[0] + size[1] + size[2]);
+  const double behind = is_rounded ? last - off : -HUGE_VAL;
   for (const std::uint32_t v : hull.corners)
-    if (!(kernel::dot(way, rounded[v]) < behind)) each(v);
+    if (!(kernel::dot(way, points.rounded(v)) < behind)) each(v);
 }
 
 /// A hull of those corners of another hull that may be the first or the last along a direction.
@@ -73,7 +74,7 @@ inline std::optional<kernel::Rounded_vector> direction_by_few(std::span<const ke
   constexpr std::size_t few = 8;
   constexpr int most_rounds = 12;
   const auto along = [](const Rounded_vector& z, const Hull& hull, std::uint32_t v) {
-    return kernel::dot(z, hull.points->rounded[v]);
+    return kernel::dot(z, hull.points->rounded(v));
   };
   const auto last = [&](const Hull& hull, const Rounded_vector& z, double sign) {
     return *std::ranges::max_element(hull.corners, {}, [&](std::uint32_t v) { return sign * along(z, hull, v); });
@@ -174,9 +175,9 @@ struct Covered_body {
     const auto& covering = groups->tree().model().covering();
     kernel::Exact_face face;
     const auto from = covering.from(element.face), to = covering.to(element.face);
-    for (std::size_t k = 0; k < from.size(); ++k) face.edges.push_back({points.exact[from[k]], points.exact[to[k]]});
+    for (std::size_t k = 0; k < from.size(); ++k) face.edges.push_back({points.exact(from[k]), points.exact(to[k])});
     if (const auto basis = covering.plane_basis(element.face))
-      face.plane = {points.exact[(*basis)[0]], points.exact[(*basis)[1]], points.exact[(*basis)[2]]};
+      face.plane = {points.exact((*basis)[0]), points.exact((*basis)[1]), points.exact((*basis)[2])};
     return face;
   }
 };
@@ -306,17 +307,14 @@ class Probe_cover {
   Probe_cover(Covered_body& body, Probe probe, kernel::Gap_rule rule = {})
       : body_(&body), probe_(std::move(probe)), rule_(std::move(rule))
   {
-    points_.exact = {probe_.start};
-    if (probe_.end) points_.exact.push_back(*probe_.end);
+    points_ = probe_.end ? Hull_points{probe_.start, *probe_.end} : Hull_points{probe_.start};
     kernel::round_together(points_, body.points);
-    corners_.resize(points_.exact.size());
+    corners_.resize(points_.size());
     for (std::size_t k = 0; k < corners_.size(); ++k) corners_[k] = std::uint32_t(k);
     if (probe_.direction) {
-      Hull_points way;
-      way.exact = {*probe_.direction};
-      Hull_points none;
+      Hull_points way{*probe_.direction}, none;
       kernel::round_together(way, none);
-      recession_ = way.rounded[0];
+      recession_ = way.rounded(0);
     }
     make_solid_probe();
   }

@@ -41,16 +41,7 @@ inline Covered_body placed(Group_tree& groups, const kernel::Pose& pose, const k
   if (other.is_rational()) by = by * other.weight();
   std::array<kernel::Exact_number, 12> entry;
   for (int k = 0; k < 12; ++k) entry[k] = pose.whole(k) * by;
-  Covered_body body{&groups, {}};
-  body.points.exact.reserve(vertices.size());
-  for (const covering::Vertex& v : vertices) {
-    const kernel::Exact_number x(v[0]), y(v[1]), z(v[2]);
-    const auto row = [&](int i) -> kernel::Exact_number {
-      return entry[i] * x + entry[i + 1] * y + entry[i + 2] * z + entry[i + 3];
-    };
-    body.points.exact.push_back({row(0), row(4), row(8)});
-  }
-  return body;
+  return {&groups, kernel::Hull_points(vertices, entry)};
 }
 
 /// Two placed bodies on one scale.

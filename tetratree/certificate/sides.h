@@ -59,9 +59,11 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
   kernel::Rounded_vector middle;
   double size = 0;
   for (int c = 0; c < 3; ++c) middle[c] = met.point.at[c].to_double() / met.point.weight.to_double();
+  const double scale = pair.rounding.to_double();
   for (const Covered_body& body : pair.body)
-    for (const kernel::Exact_vector& v : body.points.exact)
-      for (int c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(v[c].to_double() - middle[c]));
+    for (std::size_t v = 0; v < body.points.size(); ++v)
+      for (std::size_t c = 0; c < 3; ++c)
+        size = kernel::maximum(size, std::abs(body.points.rounded(v)[c] / scale - middle[c]));
   if (!std::isfinite(size)) return false;
   const auto pieces = pair.faces(met.piece);
   std::vector<std::string> rows;
@@ -74,15 +76,15 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
   };
   for (int n = 0; n < most_lines && !wanted.empty(); ++n) {
     // The lines are along the normals of both pieces, or random.
-    kernel::Hull_points way, none;
-    way.exact = {{kernel::Exact_number(pair.random(20)), kernel::Exact_number(pair.random(20)),
-                  kernel::Exact_number(pair.random(20))}};
+    kernel::Exact_vector exact_way = {kernel::Exact_number(pair.random(20)), kernel::Exact_number(pair.random(20)),
+                                      kernel::Exact_number(pair.random(20))};
     if (const int k = n % lines_of_a_size; k < 2 && pieces[std::size_t(k)].plane)
-      way.exact = {kernel::detail::normal_of(*pieces[std::size_t(k)].plane)};
+      exact_way = kernel::detail::normal_of(*pieces[std::size_t(k)].plane);
+    kernel::Hull_points way{exact_way}, none;
     kernel::round_together(way, none);
-    if (way.rounded[0] == kernel::Rounded_vector{}) continue;
+    if (way.rounded(0) == kernel::Rounded_vector{}) continue;
     const kernel::Exact_vector half = kernel::detail::scaled(
-        kernel::rounded_to_bits(way.rounded[0], 20), kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)));
+        kernel::rounded_to_bits(way.rounded(0), 20), kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)));
     kernel::Exact_vector start;
     for (int c = 0; c < 3; ++c) {
       const double aside = std::ldexp(size, 1 - 2 * (n / lines_of_a_size)) * pair.random(20) * 0x1p-20;

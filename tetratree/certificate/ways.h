@@ -33,10 +33,10 @@ inline bool leads_free(std::string& text, const Placed_pair::Poses& start, const
 inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pair, std::size_t k)
 {
   const auto& corners = pair.body[k].groups->group({}).corners;
-  const double weight = kernel::Rational(pair.weight).get_d();
+  const double scale = kernel::Rational(kernel::Rational(pair.weight) * kernel::Rational(pair.rounding)).get_d();
   kernel::Rounded_vector middle{};
   double size = 0;
-  const auto at = [&](std::uint32_t v, std::size_t c) { return pair.body[k].points.exact[v][c].to_double() / weight; };
+  const auto at = [&](std::uint32_t v, std::size_t c) { return pair.body[k].points.rounded(v)[c] / scale; };
   for (const std::uint32_t v : corners)
     for (std::size_t c = 0; c < 3; ++c) middle[c] += at(v, c) / double(corners.size());
   for (const std::uint32_t v : corners)

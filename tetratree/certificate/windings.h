@@ -17,13 +17,12 @@ inline std::optional<int> add_winding(std::string& text, Covered_body& body, con
                                       Random_integers& random)
 {
   // The first ray leads away from the body's middle, which few faces of it meet if the point is outside.
-  kernel::Hull_points point;
-  point.exact = {x};
+  kernel::Hull_points point{x};
   kernel::round_together(point, body.points);
   const auto& corners = body.groups->group({}).corners;
-  kernel::Rounded_vector way = point.rounded[0];
+  kernel::Rounded_vector way = point.rounded(0);
   for (const std::uint32_t v : corners)
-    for (int c = 0; c < 3; ++c) way[c] -= body.points.rounded[v][c] / double(corners.size());
+    for (int c = 0; c < 3; ++c) way[c] -= body.points.rounded(v)[c] / double(corners.size());
   constexpr int most_rays = 60;
   for (int k = 0; k < most_rays; ++k) {
     // Few bits first, since short numbers are cheap to check.
@@ -85,7 +84,7 @@ inline const std::vector<Index>& shell_vertices(const Covered_body& body)
 /// Returns the row of a vertex of body k in the other one. Requires a vertex that is not on the other surface.
 inline Winding_row winding_of_vertex(Placed_pair& pair, int k, Index v)
 {
-  auto row = winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact[v]);
+  auto row = winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact(v));
   if (!row) fail_proof("no ray from a vertex goes through faces alone");
   return *std::move(row);
 }

@@ -1,8 +1,14 @@
 #include "tetracone/kernel/predicate/hull_separation.h"
 
+#include "verify/cases/random.h"
+
 #include <boost/test/unit_test.hpp>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_hull_separation)
 
@@ -23,6 +29,32 @@ BOOST_AUTO_TEST_CASE(a_ray_crosses_what_is_before_it_and_neither_its_origin_nor_
   BOOST_TEST((crossing({1, 1, 1}, up) == std::nullopt));
   BOOST_TEST((crossing({2, 0, -1}, up) == std::nullopt));  // an edge
   BOOST_TEST((crossing({1, -1, 0}, {0, 1, 0}) == std::nullopt));
+}
+
+BOOST_AUTO_TEST_CASE(images_of_points_are_no_farther_from_their_doubles_than_the_error_says)
+{
+  tetracone::verify::Random random(5);
+  for (const double size : {1.0, 0x1p-900, 0x1p900, 0x1p-1060, 0x1p1010}) {
+    std::vector<Rounded_vector> corners;
+    for (int n = 0; n < 40; ++n)
+      corners.push_back({random.symmetric(), std::ldexp(random.symmetric(), -n), n % 8 == 0 ? 0 : 1 / 3.0});
+    std::array<Exact_number, 12> map;
+    for (Exact_number& entry : map) entry = Exact_number(size * random.symmetric());
+    map[5] = Exact_number(-2) * map[4];  // what cancels
+    Hull_points images(corners, map), origin{{0, 0, 0}};
+    const Exact_number factor = round_together(images, origin);
+    BOOST_TEST(images.largest() >= 0x1p-200);
+    BOOST_TEST(images.largest() <= 0x1p200);
+    BOOST_TEST(images.error() <= 0x1p-45 * images.largest());
+    for (std::size_t v = corners.size(); v-- > 0;)
+      for (std::size_t k = 0; k < 3; ++k) {
+        Exact_number at = map[4 * k + 3];
+        for (std::size_t i = 0; i < 3; ++i) at = at + map[4 * k + i] * Exact_number(corners[v][i]);
+        BOOST_TEST((images.exact(v)[k] == at));
+        const Exact_number off = Exact_number(at * factor) - Exact_number(images.rounded(v)[k]);
+        BOOST_TEST((abs(off) <= Exact_number(images.error())));
+      }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
