@@ -1,13 +1,10 @@
 #include "experiments/accuracy/experiments.h"
 
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
 #include "verify/proofs/all_proofs.h"
 #include "verify/proofs/gappa_script.h"
 #include "verify/proofs/other_constants.h"
 #include "verify/searches/searches.h"
 
-#include <cstdio>
 #include <stdexcept>
 
 namespace tetracone::experiments {

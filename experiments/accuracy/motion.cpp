@@ -1,9 +1,6 @@
 #include "experiments/accuracy/experiments.h"
 
 #include "experiments/accuracy/motion_subjects.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_moving_pairs.h"
 #include "tetracone/kernel/motion/first_contact.h"
@@ -11,15 +8,9 @@
 #include "verify/relations/motion_relations.h"
 #include "verify/truth/motion_truth.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <ctime>
 #include <map>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

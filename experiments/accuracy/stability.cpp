@@ -1,23 +1,13 @@
 #include "experiments/accuracy/experiments.h"
 
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/subjects/subject.h"
 
-#include <array>
 #include <bit>
-#include <cmath>
-#include <functional>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

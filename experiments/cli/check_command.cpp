@@ -12,14 +12,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace tetracone::experiments {
 namespace {
 

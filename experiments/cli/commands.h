@@ -1,7 +1,24 @@
 #ifndef TETRACONE_EXPERIMENTS_CLI_COMMANDS_H
 #define TETRACONE_EXPERIMENTS_CLI_COMMANDS_H
 
+#include "experiments/cli/command_words.h"
+
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 /// The commands of the program, each defined in NAME_command.cpp. A command throws covering::Input_error for bad input
 /// and for a file that cannot be written. It throws CLI::ValidationError for words that it does not know or that

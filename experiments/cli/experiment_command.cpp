@@ -1,4 +1,3 @@
-#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 #include "experiments/cli/subject_options.h"
 
@@ -7,14 +6,6 @@
 #include "experiments/report/method_figures.h"
 #include "experiments/scenes/experiments.h"
 #include "experiments/speed/experiments.h"
-#include "experiments/support/build_info.h"
-
-#include <algorithm>
-#include <array>
-#include <iostream>
-#include <memory>
-#include <string>
-#include <string_view>
 
 namespace tetracone::experiments {
 namespace {

@@ -1,36 +1,15 @@
-#include "experiments/cli/command_words.h"
-#include "experiments/cli/commands.h"
-
-#include "experiments/cli/answer_rows.h"
-#include "experiments/cli/certificate_file.h"
-#include "experiments/support/model_file.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "experiments/support/scene_options.h"
-#include "experiments/support/stopwatch.h"
-#include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/tetracone.h"
+#include "experiments/cli/pair_command.h"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Relation_options {
-  Scene_names names;
-  std::string csv, certificate, kernel = "adaptive";
-  bool volume = false, exact = false, json = false, time = false;
-  int repeat = 1;
+struct Relation_options : Pair_options {
+  std::string kernel = "adaptive";
+  bool volume = false, exact = false;
 
   /// True when the volume is asked for; its fraction is a way to write it.
   bool measures() const { return volume || exact; }
@@ -43,19 +22,19 @@ struct Relation_row {
   double nanoseconds = std::numeric_limits<double>::infinity();
 };
 
-std::vector<Relation_row> ask(Query& query, const Pose_pairs& poses, const Relation_options& options)
+std::vector<Relation_row> ask(Asked_pair& asked, const Relation_options& options)
 {
-  std::vector<Relation_row> rows(poses.count());
-  const int passes = options.time ? options.repeat : 1;
-  Progress progress("poses", rows.size() * passes);
-  for (int pass = 0; pass < passes; ++pass)
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      const Stopwatch watch;
-      rows[k].contact = query.solid_relation(poses.of_a(k), poses.of_b(k));
-      if (options.measures()) rows[k].overlap = query.overlap(poses.of_a(k), poses.of_b(k));
-      rows[k].nanoseconds = std::min(rows[k].nanoseconds, watch.nanoseconds());
-      progress.step();
-    }
+  std::vector<Relation_row> rows(asked.poses.count());
+  const auto answer = [&](std::size_t k) {
+    const kernel::Pose &a = asked.poses.of_a(k), &b = asked.poses.of_b(k);
+    Relation_row row{asked.query.solid_relation(a, b), {}, rows[k].nanoseconds};
+    if (options.measures()) row.overlap = asked.query.overlap(a, b);
+    return row;
+  };
+  ask_all("poses", rows.size(), options.passes(), answer, [&](std::size_t k, Relation_row row, double ns) {
+    rows[k] = std::move(row);
+    rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
+  });
   return rows;
 }
 
@@ -113,7 +92,7 @@ std::string text_of(const std::vector<Relation_row>& rows, const Relation_option
       continue;
     }
     text += std::to_string(k) + "," + fields(rows[k], options, ',', true);
-    if (options.time) text += "," + std::to_string(static_cast<long long>(rows[k].nanoseconds));
+    if (options.time) text += ns_column(rows[k].nanoseconds);
     text += "\n";
   }
   return text;
@@ -124,24 +103,16 @@ void run_relation(const Relation_options& options)
   const auto way = parse_kernel(options.kernel);
   if (!way || way->kernel != Kernel::adaptive)
     throw CLI::ValidationError("--kernel " + options.kernel, "expected adaptive");
-  if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
-  if (options.time && options.csv.empty() && !options.json)
-    throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
-  if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
-  for (const std::string& output : {options.csv, options.certificate})
-    if (!output.empty()) options.names.refuse_as_output(output);
-  require_other_file(options.certificate, options.csv);
+  options.require(true);
+  options.require_files();
 
-  const Pose_pairs poses = read_pose_pairs(options.names);
-  const auto models = load_models(options.names.a, options.names.b, options.names.models, true);
-  Query query(models[0].body, models[1].body, Question::solid, *way);
-  const std::vector<Relation_row> rows = ask(query, poses, options);
-  const std::string text = text_of(rows, options);
-  write_answers(options.csv, text);
+  Asked_pair asked = read_pair(options.names, Question::solid, *way);
+  const std::vector<Relation_row> rows = ask(asked, options);
+  write_answers(options.csv, text_of(rows, options));
   if (options.certificate.empty()) return;
-  Certificate certificate = certificate_of(models[0], models[1]);
+  Certificate certificate = certificate_of(asked.models[0], asked.models[1]);
   for (std::size_t k = 0; k < rows.size(); ++k)
-    certificate.relation(poses.of_a(k), poses.of_b(k), rows[k].contact.relation);
+    certificate.relation(asked.poses.of_a(k), asked.poses.of_b(k), rows[k].contact.relation);
   write_certificate(options.certificate, certificate);
 }
 
@@ -152,18 +123,14 @@ void add_relation_command(CLI::App& app)
   CLI::App* command = app.add_subcommand(
       "relation", "Which of eight relations two solids have, exactly, and the dimension of the contact");
   const auto options = std::make_shared<Relation_options>();
-  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
-  command->add_option("B", options->names.b, "Model")->required();
+  add_models(*command, options->names.a, options->names.b);
   command->add_flag(
       "--volume", options->volume,
       "Print, after the dimension, the double nearest to the volume of the overlap; tables have its centroid too");
   command->add_flag("--exact", options->exact, "Print the volume and the centroid, as fractions");
   add_default(*command, "--kernel", options->kernel, "adaptive");
   add_certificate_option(*command, options->certificate);
-  command->add_option("--csv", options->csv, "Write a table to this file");
-  command->add_flag("--json", options->json, "Write JSON to standard output, with --volume also the contact area");
-  command->add_flag("--time", options->time, "With --csv or --json: nanoseconds of each pose");
-  add_default(*command, "--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts");
+  add_table_options(*command, *options, "Write JSON to standard output, with --volume also the contact area");
   options->names.add_options_to(*command);
   command->footer(
       "Prints a line for each pose: disjoint, meet, overlap, equal, inside, contains, covered_by or covers, and the "

@@ -5,9 +5,6 @@
 #include "tetracone/tetratree/door/body_file.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
-#include <memory>
-#include <string>
-
 namespace tetracone::experiments {
 namespace {
 

@@ -8,21 +8,13 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/number/floating_point.h"
 
-#include <CLI/CLI.hpp>
-
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <exception>
-#include <iostream>
 #include <new>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace {
 

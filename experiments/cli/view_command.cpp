@@ -1,4 +1,3 @@
-#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/support/motion_options.h"
@@ -11,13 +10,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/scene_file.h"
 
-#include <array>
-#include <memory>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {

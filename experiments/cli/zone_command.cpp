@@ -1,17 +1,4 @@
-#include "experiments/cli/command_words.h"
-#include "experiments/cli/commands.h"
-
-#include "experiments/support/model_file.h"
-#include "experiments/support/progress.h"
-#include "experiments/support/scene_options.h"
-#include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/tetracone.h"
-
-#include <algorithm>
-#include <iostream>
-#include <memory>
-#include <string>
-#include <vector>
+#include "experiments/cli/pair_command.h"
 
 namespace tetracone::experiments {
 namespace {
@@ -23,19 +10,15 @@ struct Zone_options {
 
 void run_zone(const Zone_options& options)
 {
-  const auto question = kernel::parse_question(options.question);
-  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
-  if (!kernel::parse_number(options.within))
-    throw CLI::ValidationError("--within " + options.within, "expected a decimal number or a fraction n/d");
-  const Pose_pairs poses = read_pose_pairs(options.names);
-  const auto models = load_models(options.names.a, options.names.b, options.names.models, *question == Question::solid);
-  Query query(models[0].body, models[1].body, *question);
+  const Question question = required_question(options.question);
+  require_distance(options.within);
+  Asked_pair asked = read_pair(options.names, question);
   std::string text;
-  Progress progress("poses", poses.count());
-  for (std::size_t k = 0; k < poses.count(); ++k) {
+  Progress progress("poses", asked.poses.count());
+  for (std::size_t k = 0; k < asked.poses.count(); ++k) {
     std::vector<covering::Index> faces;
-    for (const covering::Index f : query.zone(poses.of_a(k), poses.of_b(k), options.within))
-      faces.push_back(models[0].source_face[f]);
+    for (const covering::Index f : asked.query.zone(asked.poses.of_a(k), asked.poses.of_b(k), options.within))
+      faces.push_back(asked.models[0].source_face[f]);
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     for (const covering::Index f : faces) text += (f == faces.front() ? "" : " ") + std::to_string(f);
     text += faces.empty() ? "-\n" : "\n";
@@ -50,8 +33,7 @@ void add_zone_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("zone", "The faces of one model that come near another, a line a pose");
   const auto options = std::make_shared<Zone_options>();
-  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
-  command->add_option("B", options->names.b, "Model")->required();
+  add_models(*command, options->names.a, options->names.b);
   command
       ->add_option("--within", options->within,
                    "The distance, a decimal number (its double) or a fraction n/d: decided on squares, exactly")

@@ -1,22 +1,12 @@
 #include "experiments/queries/experiments.h"
 
 #include "experiments/queries/judged_depths.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <string>
 #include <tuple>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

@@ -2,9 +2,7 @@
 
 #include "experiments/queries/points_truth.h"
 #include "experiments/speed/benchmark_workload.h"
-#include "experiments/support/csv_row.h"
 #include "experiments/support/model_file.h"
-#include "experiments/support/output_file.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/write.h"
 #include "tetracone/kernel/predicate/kernels.h"
@@ -16,16 +14,7 @@
 
 #include <malloc.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
 #include <ctime>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

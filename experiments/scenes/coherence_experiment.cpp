@@ -1,16 +1,8 @@
 #include "experiments/scenes/experiments.h"
 
 #include "experiments/speed/trajectory.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/shape_generators.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

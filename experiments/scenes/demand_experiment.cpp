@@ -1,15 +1,9 @@
 #include "experiments/scenes/experiments.h"
 
 #include "experiments/scenes/scene_workload.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/scene/scene.h"
-
-#include <cstdio>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

@@ -1,19 +1,11 @@
 #include "experiments/speed/experiments.h"
 
 #include "experiments/speed/trajectory.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/shape_generators.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cstdio>
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
