@@ -4,8 +4,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <unistd.h>
-
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
@@ -102,7 +100,6 @@ void run_compilers(const Experiment_options& options)
 {
   const std::vector<Compiled_probe> all = builds();
   if (all.empty()) throw std::runtime_error("no compiler; expected g++ or clang++");
-  make_folder(options.out);
   std::vector<std::vector<Csv_row>> rows(all.size());
   Progress progress("compilations", all.size());
   std::mutex one_at_a_time;

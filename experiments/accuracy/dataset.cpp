@@ -1,12 +1,10 @@
 #include "experiments/accuracy/experiments.h"
 
 #include "experiments/accuracy/dataset_files.h"
-#include "experiments/support/build_info.h"
 #include "experiments/support/sha256.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/write.h"
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/kernel/number/number.h"
 #include "verify/campaign/family_lines.h"
 #include "verify/cases/case_numbers.h"
 #include "verify/families/families.h"
@@ -19,7 +17,6 @@
 
 #include <map>
 #include <stdexcept>
-#include <string_view>
 
 namespace tetracone::experiments {
 namespace {

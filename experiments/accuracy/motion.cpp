@@ -10,7 +10,6 @@
 
 #include <ctime>
 #include <map>
-#include <string_view>
 
 namespace tetracone::experiments {
 namespace {
@@ -98,7 +97,6 @@ void judge(const Judged& judged, std::uint64_t seed, Csv_table& table)
 void run_motion(const Experiment_options& options)
 {
   const std::uint64_t cases = (options.full ? 500 : 10) * options.cases, seed = options.seed;
-  make_folder(options.out);
   Csv_table table, relations;
   for (const Judged& judged : options.queries.empty() ? std::vector<Judged>() : published(options.queries))
     judge(judged, seed, table);

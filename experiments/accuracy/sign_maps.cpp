@@ -205,7 +205,6 @@ std::vector<std::string> answers(const Map& map, int row, int size)
 void run_sign_maps(const Experiment_options& options)
 {
   const int size = options.size;
-  make_folder(options.out);
   const auto all = maps(size);
   Csv_table table;
   Progress progress("rows of sign maps", all.size() * std::size_t(size));

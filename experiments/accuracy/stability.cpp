@@ -65,7 +65,6 @@ void run_stability(const Experiment_options& options)
 {
   const int ways = options.full ? 400 : 20;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   const auto all = motions(seed);
   Csv_table table;
   Progress progress("thresholds", all.size() * std::size_t(ways));

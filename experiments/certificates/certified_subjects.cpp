@@ -3,24 +3,17 @@
 #include "experiments/peers/command_process.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/stopwatch.h"
-#include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/certificate.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -152,9 +145,7 @@ class Certified_objects : public verify::Running_subject {
     return outcome(c, [&] {
       Query asked = query(c, question);
       bool answer = false;
-      const auto add = [&](Certificate& certificate) {
-        answer = certificate.within(asked, c.pose_a, c.pose_b, limit);
-      };
+      const auto add = [&](Certificate& certificate) { answer = certificate.within(asked, c.pose_a, c.pose_b, limit); };
       checker_.prove("within", add, asked);
       return answer;
     });

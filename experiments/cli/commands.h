@@ -3,9 +3,6 @@
 
 #include "experiments/cli/command_words.h"
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,12 +12,9 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-/// The commands of the program, each defined in NAME_command.cpp. A command throws covering::Input_error for bad input
+/// The commands of the program, defined in NAME_command.cpp. A command throws covering::Input_error for bad input
 /// and for a file that cannot be written. It throws CLI::ValidationError for words that it does not know or that
 /// exclude each other.
 namespace tetracone::experiments {

@@ -99,6 +99,7 @@ void run_experiment(const CLI::App& command, Command_options options)
   }
   again() = "build/tetracone experiment " + options.name + " --out out" + words_of(command, words);
   if (options.models.empty()) options.models = TETRACONE_SOURCE_DIR "/.cache/models";
+  make_folder(options.out);
   chosen->run(options);
 }
 

@@ -11,12 +11,10 @@
 #include "verify/shrink/mutate.h"
 #include "verify/shrink/shrink.h"
 #include "verify/shrink/wrong_answers.h"
-#include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <cctype>
-#include <chrono>
 #include <map>
 #include <set>
 

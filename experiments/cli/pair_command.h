@@ -4,13 +4,10 @@
 #include "experiments/cli/answer_rows.h"
 #include "experiments/cli/certificate_file.h"
 #include "experiments/cli/commands.h"
-#include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/scene_options.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/tetracone.h"
 
 /// What the commands share that answer a line for each pose, motion, point or ray.
 namespace tetracone::experiments {

@@ -1,33 +1,15 @@
-#include "experiments/cli/pair_command.h"
-
-#include <nlohmann/json.hpp>
+#include "experiments/cli/solid_answers.h"
 
 namespace tetracone::experiments {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// The options of both commands.
-struct Penetration_options : Pair_options {
-  bool exact = false;
-};
-
-struct Exit_options : Penetration_options {
+struct Exit_options : Solid_options {
   std::array<std::string, 3> along;
 };
 
-struct Depth_command_options : Penetration_options {
+struct Depth_command_options : Solid_options {
   Depth_options limits;
 };
-
-/// A part of an answer: its column, how a line writes it, and its value in JSON.
-struct Cell {
-  std::string column, text;
-  Json value;
-};
-
-Cell cell(const std::string& column, double x) { return {column, kernel::shortest(x), json_number(x)}; }
-Cell cell(const std::string& column, const std::string& fraction) { return {column, fraction, fraction}; }
 
 std::vector<Cell> cells(const Exits& exits, bool is_exact)
 {
@@ -39,7 +21,7 @@ std::vector<Cell> cells(const Depth& depth, bool is_exact)
 {
   std::vector<Cell> row;
   if (is_exact)
-    row = {depth.is_exact ? cell("square", depth.exact_square) : Cell{"square", "-", Json()}};
+    row = {depth.is_exact ? cell("square", depth.exact_square) : Cell{"square", "-", nullptr}};
   else
     row = {cell("low", depth.low), cell("high", depth.high)};
   const std::array<std::string, 3> axes = {"x", "y", "z"};
@@ -48,65 +30,7 @@ std::vector<Cell> cells(const Depth& depth, bool is_exact)
   return row;
 }
 
-/// The answer of one pose.
-struct Row {
-  std::vector<Cell> cells;
-  double nanoseconds = std::numeric_limits<double>::infinity();
-};
-
-std::string text_of(const std::vector<Row>& rows, const Penetration_options& options)
-{
-  if (options.json) {
-    Json all = Json::array();
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      Json object = {{"pose", k}};
-      for (const Cell& cell : rows[k].cells) object[cell.column] = cell.value;
-      if (options.time) object["ns"] = static_cast<long long>(rows[k].nanoseconds);
-      all.push_back(std::move(object));
-    }
-    return all.dump(1) + "\n";
-  }
-  std::string text;
-  if (!options.csv.empty() && !rows.empty()) {
-    text = "pose";
-    for (const Cell& cell : rows[0].cells) text += "," + cell.column;
-    text += options.time ? ",ns\n" : "\n";
-  }
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (!options.csv.empty()) text += std::to_string(k) + ",";
-    for (const Cell& cell : rows[k].cells) text += (&cell == &rows[k].cells[0] ? "" : options.blank()) + cell.text;
-    if (options.time) text += ns_column(rows[k].nanoseconds);
-    text += "\n";
-  }
-  return text;
-}
-
-/// Asks ask(query, pose of A, pose of B) for all poses, and writes the answers. prove(certificate, pose of A, pose
-/// of B, answer) adds a proof.
-template <class Ask, class Prove>
-void answer_all(const Penetration_options& options, const Ask& ask, const Prove& prove)
-{
-  options.require(true);
-  options.require_files();
-
-  Asked_pair asked = read_pair(options.names, Question::solid);
-  const Pose_pairs& poses = asked.poses;
-  std::vector<Row> rows(poses.count());
-  std::optional<Certificate> certificate;
-  if (!options.certificate.empty()) certificate = certificate_of(asked.models[0], asked.models[1]);
-  ask_all(
-      "poses", rows.size(), options.passes(),
-      [&](std::size_t k) { return ask(asked.query, poses.of_a(k), poses.of_b(k)); },
-      [&](std::size_t k, const auto& answer, double ns) {
-        if (certificate && rows[k].cells.empty()) prove(*certificate, poses.of_a(k), poses.of_b(k), answer);
-        rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
-        rows[k].cells = cells(answer, options.exact);
-      });
-  write_answers(options.csv, text_of(rows, options));
-  if (certificate) write_certificate(options.certificate, *certificate);
-}
-
-void add_options(CLI::App& command, Penetration_options& options, const char* exact)
+void add_options(CLI::App& command, Solid_options& options, const char* exact)
 {
   add_models(command, options.names.a, options.names.b);
   command.add_flag("--exact", options.exact, exact);
@@ -132,6 +56,7 @@ void add_exit_command(CLI::App& app)
   command->callback([options] {
     answer_all(
         *options, [&](Query& query, const auto& a, const auto& b) { return query.exits(a, b, options->along); },
+        [&](const Exits& answer) { return cells(answer, options->exact); },
         [&](Certificate& certificate, const auto& a, const auto& b, const Exits& answer) {
           certificate.exits(a, b, options->along, answer);
         });
@@ -157,6 +82,7 @@ void add_depth_command(CLI::App& app)
   command->callback([options] {
     answer_all(
         *options, [&](Query& query, const auto& a, const auto& b) { return query.depth(a, b, options->limits); },
+        [&](const Depth& answer) { return cells(answer, options->exact); },
         [&](Certificate& certificate, const auto& a, const auto& b, const Depth& answer) {
           certificate.depth(a, b, answer);
         });

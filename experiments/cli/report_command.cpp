@@ -1,7 +1,6 @@
 #include "experiments/cli/commands.h"
 
 #include "experiments/peers/fcl.h"
-#include "experiments/peers/peer.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/output_file.h"
 #include "tetracone/covering/io/input_error.h"

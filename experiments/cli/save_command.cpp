@@ -3,7 +3,6 @@
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "tetracone/tetratree/door/body_file.h"
-#include "tetracone/tetratree/door/tetracone.h"
 
 namespace tetracone::experiments {
 namespace {

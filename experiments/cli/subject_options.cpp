@@ -5,9 +5,6 @@
 #include "experiments/support/sha256.h"
 #include "verify/campaign/family_lines.h"
 
-#include <cctype>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

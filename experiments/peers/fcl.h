@@ -3,13 +3,8 @@
 
 #include "experiments/peers/peer.h"
 
-#include <cstddef>
 #include <functional>
-#include <memory>
-#include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 /// FCL (Debian's package) on its trees of doubles, as its users run it. A function that prepares it returns null when
 /// the program was built without FCL. All poses must be rigid, except that of B in `prepare_fcl`.
@@ -50,7 +45,7 @@ struct Named_distance_peer {
 
 /// Returns the distance peers of this build, with default settings: on trees of oriented boxes with swept spheres
 /// (OBBRSS), and on trees of swept spheres alone (RSS).
-std::span<const Named_distance_peer> distance_peers();
+const std::vector<Named_distance_peer>& distance_peers();
 
 /// Another library's first contact of two moving meshes, prepared once. It returns the time in [0, 1] for B's motion
 /// from one pose to another while A rests; nothing if it finds none.
@@ -66,7 +61,7 @@ struct Named_motion_peer {
 /// Returns the motion peers of this build: continuousCollide on trees of oriented boxes with swept spheres. It is asked
 /// by conservative advancement, whose default setting ends the steps within 1e-4 of the time of contact, and by its
 /// default method, static questions at ten steps.
-std::span<const Named_motion_peer> motion_peers();
+const std::vector<Named_motion_peer>& motion_peers();
 
 }  // namespace tetracone::experiments
 

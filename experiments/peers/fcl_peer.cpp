@@ -1,6 +1,4 @@
-#include "experiments/peers/depth_peer.h"
-#include "experiments/peers/fcl.h"
-#include "experiments/peers/scene_peer.h"
+#include "experiments/peers/peer_tables.h"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -10,9 +8,7 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <stdexcept>
 
 namespace tetracone::experiments {
 namespace {
@@ -131,8 +127,8 @@ Motion_peer motion(const Peer_mesh& mesh_a, const Peer_mesh& mesh_b)
 {
   fcl::ContinuousCollisionRequestd request;
   request.ccd_solver_type = solver;
-  return [a = model_of<fcl::OBBRSSd>(mesh_a), b = model_of<fcl::OBBRSSd>(mesh_b), request](
-             const kernel::Pose& from, const kernel::Pose& to) {
+  return [a = model_of<fcl::OBBRSSd>(mesh_a), b = model_of<fcl::OBBRSSd>(mesh_b), request](const kernel::Pose& from,
+                                                                                           const kernel::Pose& to) {
     const fcl::Transform3d still = fcl::Transform3d::Identity();
     fcl::ContinuousCollisionResultd result;
     fcl::continuousCollide<double>(a.get(), still, still, b.get(), transform(from), transform(to), request, result);
@@ -230,14 +226,29 @@ class Fcl_scene : public Scene_peer {
 
 }  // namespace
 
-std::unique_ptr<Prepared_pair> prepare_fcl_obbrss(const Peer_mesh& a, const Peer_mesh& b)
+void add_fcl(Peer_tables& tables)
 {
-  return std::make_unique<Fcl_pair<fcl::OBBRSSd>>(a, b);
+  tables.pairs.push_back(
+      {"FCL OBBRSS", "FCL, BVHModel<OBBRSS>, one contact: surfaces only, so a solid inside a solid is missed; double",
+       verify::Knows::surfaces, make_peer<Prepared_pair, Fcl_pair<fcl::OBBRSSd>>});
+  tables.pairs.push_back(
+      {"FCL AABB", "FCL, BVHModel<AABB>, one contact: surfaces only, so a solid inside a solid is missed; double",
+       verify::Knows::surfaces, make_peer<Prepared_pair, Fcl_pair<fcl::AABBd>>});
+  tables.depths.push_back({"FCL libccd",
+                           "FCL, collide of two Convex with contact: the solver of libccd, whose contacts are of MPR",
+                           make_peer<Depth_peer, Fcl_depth, fcl::GST_LIBCCD>});
+  tables.depths.push_back({"FCL own", "FCL, collide of two Convex with contact: its own GJK solver, and EPA",
+                           make_peer<Depth_peer, Fcl_depth, fcl::GST_INDEP>});
+  tables.scenes.push_back({"FCL dynamic AABB tree", make_peer<Scene_peer, Fcl_scene>});
+  tables.distances = {{"fcl OBBRSS", distance<fcl::OBBRSSd>}, {"fcl RSS", distance<fcl::RSSd>}};
+  tables.motions = {{"FCL advancement",
+                     "continuousCollide of surfaces by conservative advancement, until within 1e-4 of the time; "
+                     "translations of B alone are asked",
+                     motion<fcl::CCDC_CONSERVATIVE_ADVANCEMENT>},
+                    {"FCL steps", "continuousCollide of surfaces by ten steps; translations of B alone are asked",
+                     motion<fcl::CCDC_NAIVE>}};
 }
-std::unique_ptr<Prepared_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_pair<fcl::AABBd>>(a, b);
-}
+
 std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b)
 {
   return std::make_unique<Fcl_pair<fcl::OBBRSSd>>(mesh_of(a), mesh_of(b), scale_b, true);
@@ -247,39 +258,6 @@ std::unique_ptr<Fcl_contacts> prepare_fcl_contacts(const covering::Polyhedron& a
                                                    bool with_points)
 {
   return std::make_unique<Fcl_lister>(as_it_is(a), as_it_is(b), with_points);
-}
-
-std::span<const Named_distance_peer> distance_peers()
-{
-  static constexpr std::array all = {Named_distance_peer{"fcl OBBRSS", distance<fcl::OBBRSSd>},
-                                     Named_distance_peer{"fcl RSS", distance<fcl::RSSd>}};
-  return all;
-}
-
-std::span<const Named_motion_peer> motion_peers()
-{
-  static constexpr std::array all = {
-      Named_motion_peer{"FCL advancement",
-                        "continuousCollide of surfaces by conservative advancement, until within 1e-4 of the time; "
-                        "translations of B alone are asked",
-                        motion<fcl::CCDC_CONSERVATIVE_ADVANCEMENT>},
-      Named_motion_peer{"FCL steps", "continuousCollide of surfaces by ten steps; translations of B alone are asked",
-                        motion<fcl::CCDC_NAIVE>}};
-  return all;
-}
-
-std::unique_ptr<Depth_peer> fcl_libccd_depth(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_depth>(a, b, fcl::GST_LIBCCD);
-}
-std::unique_ptr<Depth_peer> fcl_own_depth(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_depth>(a, b, fcl::GST_INDEP);
-}
-
-std::unique_ptr<Scene_peer> prepare_fcl_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
-{
-  return std::make_unique<Fcl_scene>(meshes, of);
 }
 
 }  // namespace tetracone::experiments

@@ -8,7 +8,5 @@ using covering::Polyhedron;
 
 std::unique_ptr<Prepared_pair> prepare_fcl(const Polyhedron&, const Polyhedron&, double) { return nullptr; }
 std::unique_ptr<Fcl_contacts> prepare_fcl_contacts(const Polyhedron&, const Polyhedron&, bool) { return nullptr; }
-std::span<const Named_distance_peer> distance_peers() { return {}; }
-std::span<const Named_motion_peer> motion_peers() { return {}; }
 
 }  // namespace tetracone::experiments

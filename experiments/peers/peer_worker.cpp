@@ -1,7 +1,6 @@
 #include "experiments/peers/peer_worker.h"
 
 #include "experiments/peers/fcl.h"
-#include "experiments/peers/peer.h"
 #include "experiments/peers/peer_wire.h"
 #include "verify/subjects/spent.h"
 
@@ -12,16 +11,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <memory>
-#include <optional>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {

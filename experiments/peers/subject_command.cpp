@@ -1,23 +1,18 @@
 #include "experiments/peers/subject_command.h"
 
-#include "experiments/peers/command_process.h"
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/truth/moving_bodies_truth.h"
 
-#include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

@@ -4,9 +4,6 @@
 #include "experiments/speed/benchmark_workload.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
-#include <iterator>
-#include <limits>
-
 namespace tetracone::experiments {
 namespace {
 
@@ -81,7 +78,6 @@ void race(std::vector<Lister>& all, const std::vector<kernel::Pose>& poses, int 
 void run_contacts(const Experiment_options& options)
 {
   constexpr int passes = 15;
-  make_folder(options.out);
   Race_objects objects(options.models);
   Csv_table table;
   std::printf("%-28s %-26s %6s %9s %10s %6s %8s %7s\n", "trajectory", "method", "poses", "pairs", "us a pose", "lost",

@@ -102,10 +102,9 @@ void run_course(Csv_table& table, Distance_course course, int passes, std::uint6
   const auto mesh = peer_mesh(course.body);
   for (const auto& [name, make] : distance_peers()) {
     const auto peer = make(*mesh, *mesh);
-    add_distances(
-        table, course, name, "distance",
-        time_distances(course, passes, [&](const kernel::Pose& pose) { return peer(unmoved, pose); }),
-        course.exact, seed);
+    add_distances(table, course, name, "distance",
+                  time_distances(course, passes, [&](const kernel::Pose& pose) { return peer(unmoved, pose); }),
+                  course.exact, seed);
   }
 }
 
@@ -129,7 +128,6 @@ void run_distance(const Experiment_options& options)
 {
   const int frames = options.race_frames;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   Csv_table table;
   std::vector<std::size_t> sizes = {7172};
   if (options.full) sizes.push_back(71000);

@@ -6,13 +6,9 @@
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/object_placing.h"
-#include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-
-#include <iterator>
-#include <limits>
 
 namespace tetracone::experiments {
 namespace {
@@ -143,7 +139,6 @@ void race_self_intersections(Measures& measures, const std::string& name, const 
 
 void run_measures(const Experiment_options& options)
 {
-  make_folder(options.out);
   Race_objects objects("");
   Measures measures(options.seed);
   verify::Random random(options.seed);

@@ -117,10 +117,10 @@ void run_course(Csv_table& table, const Motion_course& course, std::uint64_t see
   for (const Named_motion_peer& named : motion_peers()) {
     const auto peer = named.make(*mesh_a, *mesh_b);
     const std::string name = "fcl" + std::string(named.name).substr(3);  // the table's names are in small letters
-    add_motions(table, course, name,
-                time_motions(course, &ours.told,
-                             [&](std::size_t k) { return peer(course.ends[k][0], course.ends[k][1]); }),
-                ours.told, static_ns, seed);
+    add_motions(
+        table, course, name,
+        time_motions(course, &ours.told, [&](std::size_t k) { return peer(course.ends[k][0], course.ends[k][1]); }),
+        ours.told, static_ns, seed);
   }
 }
 
@@ -226,7 +226,6 @@ void run_moving_bodies(const Experiment_options& options)
 {
   const int motions = options.race_frames;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   Csv_table table;
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body body(object);

@@ -97,7 +97,6 @@ void add_widths(Csv_table& table, Query& query, std::size_t triangles, const std
 
 void run_penetration(const Experiment_options& options)
 {
-  make_folder(options.out);
   Csv_table table, widths;
   std::vector<std::size_t> sizes = {200, 1000};
   if (options.full) sizes.push_back(7172);

@@ -6,9 +6,7 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/write.h"
 #include "tetracone/kernel/predicate/kernels.h"
-#include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/paper/placed_tree.h"
-#include "verify/cases/random.h"
 
 #include <CGAL/Side_of_triangle_mesh.h>
 
@@ -264,7 +262,6 @@ void run_points(const Experiment_options& options)
 {
   const int count = options.full ? 20 * options.points : options.points;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   std::vector<std::pair<std::string, covering::Polyhedron>> bodies;
   Race_objects objects("");
   for (const std::size_t triangles : {std::size_t(7000), std::size_t(70000)})

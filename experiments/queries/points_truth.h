@@ -2,7 +2,6 @@
 #define TETRACONE_EXPERIMENTS_QUERIES_POINTS_TRUTH_H
 
 #include "experiments/support/extent.h"
-#include "tetracone/covering/polyhedron.h"
 #include "tetracone/tetratree/ray_hit.h"
 #include "verify/cases/random.h"
 #include "verify/truth/cgal_truth.h"
@@ -17,10 +16,7 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <vector>
 

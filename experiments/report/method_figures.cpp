@@ -2,7 +2,6 @@
 
 #include "experiments/support/experiment.h"
 #include "experiments/viewer/view_data.h"
-#include "experiments/viewer/view_scene.h"
 #include "tetracone/tetratree/paper/tetra_tree.h"
 #include "verify/cases/shape_generators.h"
 

@@ -4,9 +4,6 @@
 #include "experiments/support/extent.h"
 #include "tetracone/tetratree/scene/scene.h"
 
-#include <chrono>
-#include <iterator>
-
 namespace tetracone::experiments {
 namespace {
 
@@ -78,7 +75,6 @@ double median(std::vector<double> values)
 void run_budget(const Experiment_options& options)
 {
   const auto frames = std::size_t(std::max(2, options.race_frames / 20));
-  make_folder(options.out);
   const Scene_workload work = scene_workload("brownian", "blob", 1000, frames, options.seed);
   std::vector<Body> bodies;
   for (const auto& model : work.models) bodies.emplace_back(model).make_all();

@@ -92,7 +92,6 @@ void run_coherence(const Experiment_options& options)
 {
   const int frames = options.race_frames;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body body(object);
   body.make_all();

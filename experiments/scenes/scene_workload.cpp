@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace tetracone::experiments {
 namespace {

@@ -9,7 +9,6 @@
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <iterator>
 #include <map>
 
 namespace tetracone::experiments {
@@ -209,7 +208,6 @@ void run_scene(const Scene_workload& work, Csv_table& table, std::uint64_t seed)
 void run_scenes(const Experiment_options& options)
 {
   const auto frames = std::size_t(std::max(2, options.race_frames / 20));
-  make_folder(options.out);
   Csv_table table;
   std::printf("%-9s %-7s %7s %-26s %11s %11s %9s %10s %8s %6s %8s\n", "scene", "model", "bodies", "method",
               "us a frame", "first us", "ratio", "candidates", "pairs", "lost", "invented");

@@ -2,17 +2,13 @@
 #define TETRACONE_EXPERIMENTS_SPEED_BENCHMARK_WORKLOAD_H
 
 #include "experiments/speed/trajectory.h"
-#include "tetracone/covering/polyhedron.h"
-#include "tetracone/kernel/number/pose.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 

@@ -11,16 +11,12 @@
 #include "verify/cases/shape_generators.h"
 #include "verify/families/probe_families.h"
 #include "verify/subjects/moving_bodies_subject.h"
-#include "verify/subjects/object_subject.h"
 #include "verify/subjects/probe_subject.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/point_truth.h"
 #include "verify/truth/ray_truth.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {

@@ -2,9 +2,7 @@
 
 #include "experiments/peers/fcl.h"
 #include "experiments/speed/contact_questions.h"
-#include "experiments/speed/contestant.h"
 #include "experiments/speed/timed_poses.h"
-#include "experiments/speed/workloads.h"
 #include "verify/subjects/subject.h"
 
 #include <iostream>

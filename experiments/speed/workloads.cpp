@@ -2,17 +2,13 @@
 
 #include "experiments/speed/benchmark_workload.h"
 #include "verify/cases/object_placing.h"
-#include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/subjects/subject.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <memory>
-#include <utility>
 
 namespace tetracone::experiments {
 

@@ -7,7 +7,6 @@
 
 #include <iostream>
 #include <stdexcept>
-#include <system_error>
 
 namespace tetracone::experiments {
 namespace {

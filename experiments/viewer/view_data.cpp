@@ -7,7 +7,6 @@
 #include "tetracone/kernel/predicate/signs.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/relation_solver.h"
-#include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/truth/predicate_truth.h"
@@ -16,16 +15,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <tuple>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {
