@@ -1,21 +1,12 @@
 #include "experiments/accuracy/experiments.h"
 
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
+#include "experiments/support/run_command.h"
 
 #include <tbb/parallel_for.h>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cstdio>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -30,22 +21,7 @@ constexpr std::array flags = {"-O0",
                               "-O3 -ffast-math",
                               "-O3 -march=native -ffast-math"};
 
-struct Ran {
-  int status;
-  std::string out;
-};
-
-Ran run(const std::string& command)
-{
-  Ran ran{-1, ""};
-  std::FILE* pipe = popen((command + " 2>/dev/null").c_str(), "r");
-  if (pipe == nullptr) return ran;
-  char buffer[4096];
-  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) ran.out.append(buffer, got);
-  const int status = pclose(pipe);
-  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ran;
-}
+Ran run(const std::string& command) { return run_command(command + " 2>/dev/null"); }
 
 /// One compiler with one set of flags.
 struct Compiled_probe {
@@ -124,7 +100,6 @@ void run_compilers(const Experiment_options& options)
 {
   const std::vector<Compiled_probe> all = builds();
   if (all.empty()) throw std::runtime_error("no compiler; expected g++ or clang++");
-  make_folder(options.out);
   std::vector<std::vector<Csv_row>> rows(all.size());
   Progress progress("compilations", all.size());
   std::mutex one_at_a_time;

@@ -1,15 +1,10 @@
 #include "experiments/accuracy/experiments.h"
 
 #include "experiments/accuracy/dataset_files.h"
-#include "experiments/support/build_info.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
 #include "experiments/support/sha256.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/write.h"
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/kernel/number/number.h"
 #include "verify/campaign/family_lines.h"
 #include "verify/cases/case_numbers.h"
 #include "verify/families/families.h"
@@ -20,12 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <map>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {
@@ -183,41 +174,24 @@ void agree(bool same)
   if (!same) throw std::runtime_error("the two truths disagree; tetracone verify says where");
 }
 
-/// The meshes by their text: one file for all cases that share a polyhedron.
-class Meshes {
- public:
-  explicit Meshes(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-  std::string name_of(const covering::Polyhedron& polyhedron)
-  {
-    const std::string text = covering::write_off(polyhedron);
-    const auto [found, is_new] = names_.try_emplace(text, "m" + std::to_string(names_.size()) + ".off");
-    if (is_new) {
-      write_whole(folder_ / found->second, text);
-      checksums_["meshes/" + found->second] = sha256(text);
-    }
-    return found->second;
-  }
-
-  /// By the files' names.
-  const std::map<std::string, std::string>& checksums() const { return checksums_; }
-
- private:
-  std::filesystem::path folder_;
-  std::map<std::string, std::string> names_, checksums_;
-};
-
 /// Files and, last, their checksums in SHA256SUMS.
 class Checked_folder {
  public:
-  Checked_folder(std::filesystem::path folder, std::map<std::string, std::string> checksums)
-      : folder_(std::move(folder)), checksums_(std::move(checksums))
-  {}
+  explicit Checked_folder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   void add(const std::string& name, std::string_view text)
   {
     write_whole(folder_ / name, std::string(text));
     checksums_[name] = sha256(text);
+  }
+
+  /// Returns the name of the mesh's file in meshes/, which is added once: cases share polyhedra.
+  std::string mesh(const covering::Polyhedron& polyhedron)
+  {
+    const std::string text = covering::write_off(polyhedron);
+    const auto [found, is_new] = meshes_.try_emplace(text, "m" + std::to_string(meshes_.size()) + ".off");
+    if (is_new) add("meshes/" + found->second, text);
+    return found->second;
   }
 
   const std::string& sum(const std::string& name) const { return checksums_.at(name); }
@@ -232,7 +206,7 @@ class Checked_folder {
 
  private:
   std::filesystem::path folder_;
-  std::map<std::string, std::string> checksums_;
+  std::map<std::string, std::string> checksums_, meshes_;  // by the file's name, and by the mesh's text
 };
 
 }  // namespace
@@ -242,7 +216,7 @@ void export_dataset(const Experiment_options& options)
   const std::uint64_t cases = options.full ? 20 * options.cases : options.cases;
   const std::filesystem::path folder = options.out / "dataset";
   make_folder(folder / "meshes");
-  Meshes meshes(folder / "meshes");
+  Checked_folder kept(folder);
   Rows objects, predicates, triangles;
   Progress progress("cases", 2 * cases * verify::families().size());
   for (const verify::Family& family : verify::families())
@@ -252,8 +226,8 @@ void export_dataset(const Experiment_options& options)
       c.b = std::make_shared<const covering::Polyhedron>(as_triangles(*c.b));
       const verify::Brute_body a(*c.a), b(*c.b);
       add_origin(objects, c.origin);
-      objects.add("mesh_a", meshes.name_of(*c.a));
-      objects.add("mesh_b", meshes.name_of(*c.b));
+      objects.add("mesh_a", kept.mesh(*c.a));
+      objects.add("mesh_b", kept.mesh(*c.b));
       for (const Question question : {Question::surface, Question::solid}) {
         const bool truth = verify::collide(a, c.pose_a, b, c.pose_b, question);
         agree(truth == verify::integer_truth::collide(c, question));
@@ -295,7 +269,6 @@ void export_dataset(const Experiment_options& options)
       }
       progress.step();
     }
-  Checked_folder kept(folder, meshes.checksums());
   const std::map<std::string, const Rows*> tables = {
       {"cases", &objects}, {"predicates", &predicates}, {"triangles", &triangles}};
   for (const auto& [name, rows] : tables) {

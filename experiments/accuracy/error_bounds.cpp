@@ -1,13 +1,10 @@
 #include "experiments/accuracy/experiments.h"
 
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
 #include "verify/proofs/all_proofs.h"
 #include "verify/proofs/gappa_script.h"
 #include "verify/proofs/other_constants.h"
 #include "verify/searches/searches.h"
 
-#include <cstdio>
 #include <stdexcept>
 
 namespace tetracone::experiments {
@@ -17,22 +14,18 @@ void run_error_bounds(const Experiment_options& options)
   constexpr int steps = 20000;
   if (!verify::proofs::gappa_is_there())
     throw std::runtime_error("gappa: not found; expected the Debian package gappa, which proves the bounds");
-  make_folder(options.out);
   Csv_table table;
   for (const auto& bound : verify::proofs::all_proofs()) {
     const double in_code = bound.in_code.get_d() / bound.unit, proved = bound.proved.get_d() / bound.unit;
-    const double found = verify::proofs::worst_found(bound.name, steps, unsigned(options.seed));
+    const double worst = verify::proofs::worst_found(bound.name, steps, unsigned(options.seed));
+    const auto found = worst < 0 ? std::nullopt : std::optional(worst);
     Csv_row row;
     row.add("constant", bound.name).add("file", bound.file).add("unit", bound.unit).add("in_code", in_code);
     row.add("proved", proved).add("proved_by", bound.by).add("proof", bound.proof);
     std::printf("%-50s %9.4f in the code %9.4f proved", bound.name.c_str(), in_code, proved);
-    if (found < 0) {
-      row.none("found").none("proved_over_found");
-      std::puts("");
-    } else {
-      row.add("found", found).add("proved_over_found", proved / found);
-      std::printf(" %9.4f found, margin %.2f\n", found, proved / found);
-    }
+    if (found) std::printf(" %9.4f found, margin %.2f", *found, proved / *found);
+    std::puts("");
+    row.add("found", found).add("proved_over_found", found ? std::optional(proved / *found) : std::nullopt);
     row.add("not_searched", verify::proofs::why_not_searched(bound.name));
     table.add(row.add_origin(options.seed));
   }

@@ -1,9 +1,6 @@
 #include "experiments/accuracy/experiments.h"
 
 #include "experiments/accuracy/motion_subjects.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_moving_pairs.h"
 #include "tetracone/kernel/motion/first_contact.h"
@@ -11,15 +8,8 @@
 #include "verify/relations/motion_relations.h"
 #include "verify/truth/motion_truth.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <ctime>
 #include <map>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -107,7 +97,6 @@ void judge(const Judged& judged, std::uint64_t seed, Csv_table& table)
 void run_motion(const Experiment_options& options)
 {
   const std::uint64_t cases = (options.full ? 500 : 10) * options.cases, seed = options.seed;
-  make_folder(options.out);
   Csv_table table, relations;
   for (const Judged& judged : options.queries.empty() ? std::vector<Judged>() : published(options.queries))
     judge(judged, seed, table);

@@ -1,6 +1,5 @@
 #include "experiments/accuracy/motion_subjects.h"
 
-#include "experiments/accuracy/root_parity.h"
 #include "tetracone/kernel/motion/first_contact.h"
 #include "tetracone/kernel/number/products.h"
 

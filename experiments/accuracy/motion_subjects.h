@@ -29,6 +29,13 @@ struct Motion_subject {
 ///    the origin is a contact, and so is a pair that 2^15 boxes have not decided.
 std::span<const Motion_subject> motion_subjects();
 
+/// True when the moving primitives meet an odd number of times, by Brochu, Edwards and Bridson (2012). The differences
+/// of their points, over time and both primitives' parameters, form a body whose boundary consists of triangles and
+/// bilinear patches. A ray from the origin crosses it an odd number of times if an odd number of roots is within. An
+/// origin on the boundary is a contact. It computes in rationals, without rounding. It does not notice an even number
+/// of contacts.
+bool meet_by_root_parity(const kernel::Moving_pair& pair);
+
 }  // namespace tetracone::experiments
 
 #endif

@@ -1,4 +1,4 @@
-#include "experiments/accuracy/root_parity.h"
+#include "experiments/accuracy/motion_subjects.h"
 
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/products.h"

@@ -1,29 +1,20 @@
 #include "experiments/accuracy/experiments.h"
 
 #include "experiments/accuracy/contracted.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
 #include "tetracone/kernel/predicate/frame.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/tetratree/paper/classification.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/cases/object_placing.h"
-#include "verify/cases/shape_generators.h"
+#include "verify/cases/tetrahedron.h"
 #include "verify/integer_truth/integer_truth.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/subjects/subject.h"
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <array>
-#include <functional>
-#include <memory>
 #include <mutex>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -129,9 +120,7 @@ Map collision_map(int size)
 {
   const auto tetrahedron = [](const std::array<Vertex, 4>& v) {
     covering::Polyhedron p;
-    p.vertices.assign(v.begin(), v.end());
-    for (const auto& face : {std::array<covering::Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
-      p.add_polygon(face);
+    verify::add_tetrahedron(p, v);
     return std::make_shared<const covering::Polyhedron>(p);
   };
   const auto a = tetrahedron({low, high, side, below});
@@ -216,7 +205,6 @@ std::vector<std::string> answers(const Map& map, int row, int size)
 void run_sign_maps(const Experiment_options& options)
 {
   const int size = options.size;
-  make_folder(options.out);
   const auto all = maps(size);
   Csv_table table;
   Progress progress("rows of sign maps", all.size() * std::size_t(size));

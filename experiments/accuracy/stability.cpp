@@ -1,23 +1,13 @@
 #include "experiments/accuracy/experiments.h"
 
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/subjects/subject.h"
 
-#include <array>
 #include <bit>
-#include <cmath>
-#include <functional>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -75,7 +65,6 @@ void run_stability(const Experiment_options& options)
 {
   const int ways = options.full ? 400 : 20;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   const auto all = motions(seed);
   Csv_table table;
   Progress progress("thresholds", all.size() * std::size_t(ways));

@@ -3,24 +3,17 @@
 #include "experiments/peers/command_process.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/stopwatch.h"
-#include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/certificate.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <cstdlib>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -51,15 +44,16 @@ Table& table()
 /// A checker as a process that proves certificates, one after the other.
 class Checker {
  public:
-  /// Proves the certificate that make() returns, and counts its cost, with the answer's, as that of a kind of answer,
-  /// which make() may find. An answer without a proof is counted. Throws std::runtime_error, with the checker's line,
-  /// where the certificate is refused.
-  template <class Make>
-  void prove(const std::string& kind, const Make& make)
+  /// Proves the certificate about `of` to which add(certificate) adds, and counts its cost, with the answer's, as that
+  /// of a kind of answer, which add() may find. An answer without a proof is counted. Throws std::runtime_error, with
+  /// the checker's line, where the certificate is refused.
+  template <class Add, class... Of>
+  void prove(const std::string& kind, const Add& add, const Of&... of)
   {
     Costs cost{1, 0, 0, 0, 0, 0, 0};
     const Stopwatch making;
-    const Certificate certificate = make();
+    Certificate certificate(of...);
+    add(certificate);
     std::string text = certificate.text();
     cost.made_ns = making.nanoseconds();
     std::string said = "proved";
@@ -73,7 +67,7 @@ class Checker {
       cost.bytes = cost.most_bytes = double(text.size());
       cost.refused = said != "proved";
     }
-    add(kind, cost);
+    count(kind, cost);
     if (said != "proved") throw std::runtime_error(said);
   }
 
@@ -91,7 +85,7 @@ class Checker {
     return said;
   }
 
-  static void add(const std::string& kind, const Costs& cost)
+  static void count(const std::string& kind, const Costs& cost)
   {
     const std::lock_guard lock(table().lock);
     Costs& all = table().kinds[kind];
@@ -122,12 +116,11 @@ class Certified_objects : public verify::Running_subject {
       Query asked = query(c, question);
       Relation relation{};
       std::string kind;
-      checker_.prove(kind, [&] {
-        Certificate certificate(asked);
+      const auto add = [&](Certificate& certificate) {
         relation = certificate.collide(asked, c.pose_a, c.pose_b).relation();
         kind = "collide " + std::string(kernel::to_string(relation));
-        return certificate;
-      });
+      };
+      checker_.prove(kind, add, asked);
       return relation != Relation::apart;
     });
   }
@@ -137,11 +130,10 @@ class Certified_objects : public verify::Running_subject {
     verify::Distance_answer answer;
     const Outcome told = outcome(c, [&] {
       Query asked = query(c, question);
-      checker_.prove("distance", [&] {
-        Certificate certificate(asked);
+      const auto add = [&](Certificate& certificate) {
         answer.nearest = certificate.distance(asked, c.pose_a, c.pose_b);
-        return certificate;
-      });
+      };
+      checker_.prove("distance", add, asked);
       answer.alone = asked.distance(c.pose_a, c.pose_b);
       return true;
     });
@@ -153,11 +145,8 @@ class Certified_objects : public verify::Running_subject {
     return outcome(c, [&] {
       Query asked = query(c, question);
       bool answer = false;
-      checker_.prove("within", [&] {
-        Certificate certificate(asked);
-        answer = certificate.within(asked, c.pose_a, c.pose_b, limit);
-        return certificate;
-      });
+      const auto add = [&](Certificate& certificate) { answer = certificate.within(asked, c.pose_a, c.pose_b, limit); };
+      checker_.prove("within", add, asked);
       return answer;
     });
   }
@@ -214,11 +203,7 @@ class Certified_objects : public verify::Running_subject {
   {
     if (told.outcome != Outcome::yes) return;
     told.outcome = outcome(c, [&] {
-      checker_.prove(kind, [&] {
-        Certificate certificate(bodies(c)[0], bodies(c)[1]);
-        add(certificate);
-        return certificate;
-      });
+      checker_.prove(kind, add, bodies(c)[0], bodies(c)[1]);
       return true;
     });
   }
@@ -249,11 +234,8 @@ class Certified_motions : public verify::Running_motion {
     const Body a(bodies.a), b(bodies.b);
     const Motion of_a(verify::motion_of(bodies.motion_a)), of_b(verify::motion_of(bodies.motion_b));
     const auto first = Query(a, b, question).first_contact(of_a, of_b);
-    checker_.prove(bodies.is_rigid() ? "motion rigid" : "motion linear", [&] {
-      Certificate certificate(a, b);
-      certificate.first_contact(of_a, of_b, question, first);
-      return certificate;
-    });
+    const auto add = [&](Certificate& certificate) { certificate.first_contact(of_a, of_b, question, first); };
+    checker_.prove(bodies.is_rigid() ? "motion rigid" : "motion linear", add, a, b);
     if (!first) return {Outcome::no};
     return {Outcome::yes, {first->lo, first->hi}};
   } catch (const std::exception&) {
@@ -279,11 +261,8 @@ class Certified_probes : public verify::Running<Probe_case, Answer> {
         polyhedron_ = c.body;
       }
       Answer answer{};
-      checker_.prove(std::is_same_v<Answer, int> ? "inside" : "ray", [&] {
-        Certificate certificate(*body_);
-        answer = ask_(*body_, c, certificate);
-        return certificate;
-      });
+      const auto add = [&](Certificate& certificate) { answer = ask_(*body_, c, certificate); };
+      checker_.prove(std::is_same_v<Answer, int> ? "inside" : "ray", add, *body_);
       return answer;
     });
   }

@@ -5,12 +5,6 @@
 #include "tetracone/kernel/motion/first_contact.h"
 #include "tetracone/kernel/number/number.h"
 
-#include <iostream>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace tetracone::experiments {
 namespace {
 

@@ -7,8 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstddef>
-#include <filesystem>
 #include <iostream>
 
 namespace tetracone::experiments {

@@ -5,7 +5,6 @@
 #include "tetracone/tetratree/door/certificate.h"
 
 #include <cstddef>
-#include <string>
 
 namespace CLI {
 class App;

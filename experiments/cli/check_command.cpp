@@ -2,23 +2,13 @@
 
 #include "experiments/cli/answer_rows.h"
 #include "experiments/cli/contact_rows.h"
-#include "experiments/support/model_file.h"
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_file.h"
-#include "tetracone/tetratree/door/tetracone.h"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -31,11 +21,8 @@ using Json = nlohmann::ordered_json;
 
 struct Check_options {
   std::vector<std::string> models;
-  bool json = false;
-  bool strict = false;
-  bool orient = false;
-  bool merge = false;
-  bool self_intersections = false;
+  bool json = false, self_intersections = false;
+  Model_options reading;
 };
 
 /// A model for `check`: read, then merged and oriented by the user's options.
@@ -58,12 +45,12 @@ Checked look_at(const std::string& file, const Check_options& options)
   else
     result.model = covering::read_model(file);
   auto& polyhedron = result.model.polyhedron;
-  if (options.merge) {
+  if (options.reading.merge) {
     const std::size_t before = polyhedron.vertices.size();
     polyhedron = covering::merge_equal_vertices(polyhedron);
     result.vertices_merged = before - polyhedron.vertices.size();
   }
-  if (options.orient) {
+  if (options.reading.orient) {
     auto oriented = covering::orient(polyhedron);
     result.faces_oriented = oriented.turned.size();
     polyhedron = std::move(oriented.polyhedron);
@@ -301,7 +288,7 @@ void run_check(const Check_options& options)
   bool found = false;
   for (const std::string& file : options.models) {
     const Checked checked = look_at(file, options);
-    found = found || !checked.check.closed || (options.strict && !checked.check.off_plane.empty());
+    found = found || !checked.check.closed || (options.reading.strict && !checked.check.off_plane.empty());
     if (options.json)
       json.push_back(to_json(checked));
     else
@@ -316,7 +303,7 @@ void run_self_intersections(const Check_options& options)
 {
   if (options.models.size() != 1)
     throw CLI::ValidationError("--self-intersections", std::to_string(options.models.size()) + " models; expected one");
-  const Model_file model = load_model(options.models[0], {options.strict, options.orient, options.merge}, false);
+  const Model_file model = load_model(options.models[0], options.reading, false);
   const auto pairs = self_intersection_rows(model.body.self_intersections(), model, options.json);
   std::cout << pairs.text;
   if (pairs.count > 0) throw CLI::RuntimeError(1);
@@ -332,10 +319,7 @@ void add_check_command(CLI::App& app)
   command->add_option("MODEL", options->models, "OFF, OBJ, PLY, STL or TetGen .poly files, or saved bodies")
       ->required();
   command->add_flag("--json", options->json, "One array, an object a model; rationals are strings n/d");
-  command->add_flag("--strict", options->strict, "Exit 1 also where a face is not exactly planar");
-  command->add_flag("--merge", options->merge, "Merge vertices with exactly equal coordinates first");
-  command->add_flag("--orient", options->orient,
-                    "Orient faces consistently first; what is closed as it stands is left alone");
+  options->reading.add_to(*command, "Exit 1 also where a face is not exactly planar");
   command->add_flag("--self-intersections", options->self_intersections,
                     "Instead: `face face kind` a line for each pair of faces of one model that share a point, except "
                     "on a vertex or an edge that both have; exit 1 where there are some. --json: what they share");

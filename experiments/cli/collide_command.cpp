@@ -1,28 +1,11 @@
-#include "experiments/cli/command_words.h"
-#include "experiments/cli/commands.h"
+#include "experiments/cli/pair_command.h"
 
-#include "experiments/cli/answer_rows.h"
-#include "experiments/cli/certificate_file.h"
 #include "experiments/cli/contact_rows.h"
 #include "experiments/cli/subject_options.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "experiments/support/scene_options.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
-#include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/case_file.h"
 #include "verify/subjects/predicate_subject.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -31,13 +14,11 @@ using kernel::Feature_pair;
 using kernel::Pose;
 using kernel::Question;
 
-struct Collide_options {
-  Scene_names names;
-  std::string csv, question = "solid", kernel = "adaptive", method = "tree", curves, certificate;
+struct Collide_options : Pair_options {
+  std::string question = "solid", kernel = "adaptive", method = "tree", curves;
   std::vector<std::string> compare;
   Subject_options others;
-  bool features = false, contacts = false, exact = false, normals = false, relation = false, json = false, time = false;
-  int repeat = 1;
+  bool features = false, contacts = false, exact = false, normals = false, relation = false;
 
   /// True when lists are asked for instead of answers; they need no solid.
   bool lists() const { return features || contacts; }
@@ -83,19 +64,16 @@ Answers ask(Query& query, const Pose_pairs& poses, int passes, bool relation = f
 {
   Answers answers{std::vector<Answer_row>(poses.count())};
   std::vector<Answer_row>& rows = answers.rows;
-  Progress progress("poses", rows.size() * passes);
-  for (int pass = 0; pass < passes; ++pass)
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      query.clear_statistics();
-      const Stopwatch watch;
-      const Answer answer = query.collide(poses.of_a(k), poses.of_b(k));
-      const double ns = watch.nanoseconds();
-      rows[k].answer = relation ? int(answer.relation()) : int(bool(answer));
-      if (pass == 0 && k == 0) answers.first_nanoseconds = ns;
-      rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
-      rows[k].counts = query.statistics();
-      progress.step();
-    }
+  query.clear_statistics();
+  ask_all(
+      "poses", rows.size(), passes, [&](std::size_t k) { return query.collide(poses.of_a(k), poses.of_b(k)); },
+      [&](std::size_t k, const Answer& answer, double ns) {
+        rows[k].answer = relation ? int(answer.relation()) : int(bool(answer));
+        if (answers.first_nanoseconds == 0) answers.first_nanoseconds = ns;
+        rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
+        rows[k].counts = query.statistics();
+        query.clear_statistics();
+      });
   return answers;
 }
 
@@ -126,7 +104,7 @@ std::string features_of(Query& query, const Placed_models& scene, const Collide_
     auto found = query.features(scene.poses.of_a(k), scene.poses.of_b(k));
     // Faces are named as the file has them.
     for (Feature_pair& f : found) f.face = (f.body == 0 ? scene.b : scene.a).source_face[f.face];
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     features.push_back(std::move(found));
     progress.step();
@@ -191,8 +169,7 @@ void require_contact_options(const Collide_options& options)
   };
   const std::vector<std::string> exact = exact_kernels();
   const bool rounds = std::ranges::find(exact, options.kernel) == exact.end();
-  std::string expected = "expected with an exact kernel: " + exact[0];
-  for (std::size_t k = 1; k < exact.size(); ++k) expected += (k + 1 < exact.size() ? ", " : " or ") + exact[k];
+  const std::string expected = "expected with an exact kernel: " + alternatives(exact);
   require(options.contacts, !options.features, "--contacts", "expected without --features");
   require(options.contacts, !options.time, "--time", "expected without --contacts");
   require(options.contacts, options.compare.empty(), "--compare", "expected without --contacts");
@@ -215,13 +192,9 @@ void require_contact_options(const Collide_options& options)
 Answer_row answer_of(const verify::Case_file& c, const std::string& kernel, const std::string& file)
 {
   const auto& subjects = verify::predicate_subjects();
-  const auto subject =
-      std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == kernel; });
-  if (subject == subjects.end()) {
-    std::string names;
-    for (const auto& each : subjects) names += (names.empty() ? "" : ", ") + each.name;
-    throw CLI::ValidationError("--kernel " + kernel, "expected a subject of predicates: " + names);
-  }
+  const auto subject = std::ranges::find(subjects, kernel, &verify::Predicate_subject::name);
+  if (subject == subjects.end())
+    throw CLI::ValidationError("--kernel " + kernel, "expected a subject of predicates: " + names_of(subjects));
   const std::optional<int> answer = subject->answer(*c.predicate, *c.points);
   if (!answer)
     throw covering::Input_error(file, 0, kernel + " does not answer " + to_string(*c.predicate) + " on these points",
@@ -236,7 +209,7 @@ std::vector<std::string> kernels_of(const Collide_options& options)
 {
   std::vector<std::string> kernels = {options.kernel};
   for (const std::string& kernel : options.compare) {
-    if (std::find(kernels.begin(), kernels.end(), kernel) != kernels.end())
+    if (std::ranges::find(kernels, kernel) != kernels.end())
       throw CLI::ValidationError("--compare " + kernel,
                                  "expected each kernel once, and not that of --kernel, which comes first");
     kernels.push_back(kernel);
@@ -246,22 +219,17 @@ std::vector<std::string> kernels_of(const Collide_options& options)
 
 void run_collide(const Collide_options& options, bool question_is_given)
 {
-  auto question = kernel::parse_question(options.question);
+  Question question = required_question(options.question);
   const auto method = parse_method(options.method);
-  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
   if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, tuned, paper or brute");
-  if (options.time && options.csv.empty() && !options.json)
-    throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
+  options.require(true);
   if (options.time && options.features) throw CLI::ValidationError("--time", "expected without --features");
   if (!options.compare.empty() && (options.time || options.features))
     throw CLI::ValidationError("--compare", "expected without --time and --features");
-  if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
-  if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
   require_contact_options(options);
   std::vector<std::string> kernels = kernels_of(options);
-  for (const std::string& output : {options.csv, options.curves, options.certificate})
-    if (!output.empty()) options.names.refuse_as_output(output);
-  require_other_file(options.certificate, options.csv);
+  if (!options.curves.empty()) options.names.refuse_as_output(options.curves);
+  options.require_files();
   if (!options.curves.empty() && !options.csv.empty() && is_same_file(options.curves, options.csv))
     throw CLI::ValidationError("--curves " + options.curves, "expected another file than that of --csv");
 
@@ -293,9 +261,9 @@ void run_collide(const Collide_options& options, bool question_is_given)
       ways.back().method = *method;
     }
     if (c && !question_is_given && !options.relation) question = c->question;
-    const bool solid = *question == Question::solid && !options.lists();
+    const bool solid = question == Question::solid && !options.lists();
     const Placed_models scene =
-        c ? models_of(*c->object, options.names.a, *question, solid) : read_models(options, *question);
+        c ? models_of(*c->object, options.names.a, question, solid) : read_models(options, question);
     for (const Query_options& way : ways) {
       const Stopwatch since;
       Query query(scene.a.body, scene.b.body, solid ? Question::solid : Question::surface, way);
@@ -304,7 +272,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
         text = options.features ? features_of(query, scene, options) : contacts_of(query, scene, options, curves);
         continue;
       }
-      const Answers answers = ask(query, scene.poses, options.time ? options.repeat : 1, options.relation);
+      const Answers answers = ask(query, scene.poses, options.passes(), options.relation);
       if (options.time) tell_first_query(query, scene, answers, ready);
       if (!options.certificate.empty() && proofs.empty()) proofs = certificate(query, scene);
       columns.push_back(answers.rows);

@@ -26,6 +26,32 @@ inline std::string shell_word(std::string word)
   return quoted + "'";
 }
 
+/// Returns the words with the separator between them.
+inline std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ")
+{
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k) text += (k == 0 ? "" : separator) + words[k];
+  return text;
+}
+
+/// Returns the words as alternatives: "a, b or c".
+inline std::string alternatives(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text += (k == 0 ? "" : k + 1 < words.size() ? ", " : " or ") + words[k];
+  return text;
+}
+
+/// Returns the names of all elements of the range, with commas between them.
+template <class Range>
+std::string names_of(const Range& all)
+{
+  std::vector<std::string> names;
+  for (const auto& each : all) names.emplace_back(each.name);
+  return joined(names);
+}
+
 /// Adds an option whose default value `--help` shows.
 template <class Value>
 CLI::Option* add_default(CLI::App& command, const std::string& name, Value& value, const std::string& text)

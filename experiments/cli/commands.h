@@ -1,9 +1,20 @@
 #ifndef TETRACONE_EXPERIMENTS_CLI_COMMANDS_H
 #define TETRACONE_EXPERIMENTS_CLI_COMMANDS_H
 
-#include <CLI/CLI.hpp>
+#include "experiments/cli/command_words.h"
 
-/// The commands of the program, each defined in NAME_command.cpp. A command throws covering::Input_error for bad input
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+/// The commands of the program, defined in NAME_command.cpp. A command throws covering::Input_error for bad input
 /// and for a file that cannot be written. It throws CLI::ValidationError for words that it does not know or that
 /// exclude each other.
 namespace tetracone::experiments {

@@ -6,8 +6,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 

@@ -1,31 +1,11 @@
-#include "experiments/cli/command_words.h"
-#include "experiments/cli/commands.h"
-
-#include "experiments/cli/answer_rows.h"
-#include "experiments/cli/certificate_file.h"
-#include "experiments/support/model_file.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "experiments/support/scene_options.h"
-#include "experiments/support/stopwatch.h"
-#include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/tetracone.h"
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <memory>
-#include <string>
-#include <vector>
+#include "experiments/cli/pair_command.h"
 
 namespace tetracone::experiments {
 namespace {
 
-struct Distance_options {
-  Scene_names names;
-  std::string csv, within, certificate, question = "solid", kernel = "adaptive";
-  bool exact = false, points = false, time = false;
-  int repeat = 1;
+struct Distance_options : Pair_options {
+  std::string within, question = "solid", kernel = "adaptive";
+  bool exact = false, points = false;
 };
 
 std::string exact_line(const Nearest& nearest, const std::array<Model_file, 2>& models)
@@ -49,108 +29,102 @@ std::string points_line(const Nearest& nearest, const std::string& blank, const 
   return line + "\n";
 }
 
-/// A line a pose, or a row of the table.
-class Asking {
- public:
-  Asking(const Distance_options& options, Query& query, const std::array<Model_file, 2>& models,
-         const Pose_pairs& poses)
-      : options_(options), query_(query), models_(models), poses_(poses)
-  {}
-
-  std::string text()
-  {
-    std::string text;
-    if (!options_.csv.empty()) {
-      text = std::string("pose,") + (options_.within.empty() ? "distance" : "within");
-      if (options_.points) text += ",x0,y0,z0,x1,y1,z1";
-      text += options_.time ? ",ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "\n";
-    }
-    std::vector<double> fastest(poses_.count(), std::numeric_limits<double>::infinity());
-    const int passes = options_.time ? options_.repeat : 1;
-    Progress progress("poses", poses_.count() * passes);
-    for (int pass = 0; pass < passes; ++pass)
-      for (std::size_t k = 0; k < poses_.count(); ++k) {
-        query_.clear_statistics();
-        const Stopwatch watch;
-        const std::string answer = this->answer(k);
-        fastest[k] = std::min(fastest[k], watch.nanoseconds());
-        if (pass + 1 == passes) text += row(k, answer, fastest[k]);
-        progress.step();
-      }
-    return text;
-  }
-
- private:
-  std::string answer(std::size_t k)
-  {
-    const kernel::Pose &a = poses_.of_a(k), &b = poses_.of_b(k);
-    if (options_.exact) return exact_line(query_.nearest(a, b), models_);
-    if (options_.points)
-      return points_line(query_.nearest(a, b), options_.csv.empty() ? " " : ",", options_.csv.empty() ? "  " : ",");
-    if (!options_.within.empty()) return query_.within(a, b, options_.within) ? "1\n" : "0\n";
-    return kernel::shortest(query_.distance(a, b)) + "\n";
-  }
-
-  std::string row(std::size_t k, const std::string& answer, double ns) const
-  {
-    if (options_.csv.empty()) return answer;
-    std::string row = std::to_string(k) + "," + answer.substr(0, answer.size() - 1);
-    if (options_.time) row += work_columns(ns, query_.statistics());
-    return row + "\n";
-  }
-
-  const Distance_options& options_;
-  Query& query_;
-  const std::array<Model_file, 2>& models_;
-  const Pose_pairs& poses_;
-};
-
-std::string certificate(const Distance_options& options, Query& query, const std::array<Model_file, 2>& models,
-                        const Pose_pairs& poses)
+/// The line of pose k.
+std::string answer_line(const Distance_options& options, Asked_pair& asked, std::size_t k)
 {
-  Certificate certificate = certificate_of(models[0], models[1]);
-  for (std::size_t k = 0; k < poses.count(); ++k) {
-    const kernel::Pose &a = poses.of_a(k), &b = poses.of_b(k);
+  const kernel::Pose &a = asked.poses.of_a(k), &b = asked.poses.of_b(k);
+  if (options.exact) return exact_line(asked.query.nearest(a, b), asked.models);
+  if (options.points) return points_line(asked.query.nearest(a, b), options.blank(), options.csv.empty() ? "  " : ",");
+  if (!options.within.empty()) return asked.query.within(a, b, options.within) ? "1\n" : "0\n";
+  return kernel::shortest(asked.query.distance(a, b)) + "\n";
+}
+
+/// Returns a line a pose, or the table, with the work of the last pass.
+std::string answers_of(const Distance_options& options, Asked_pair& asked)
+{
+  std::vector<std::string> lines(asked.poses.count()), work(lines.size());
+  std::vector<double> fastest(lines.size(), std::numeric_limits<double>::infinity());
+  asked.query.clear_statistics();
+  ask_all(
+      "poses", lines.size(), options.passes(), [&](std::size_t k) { return answer_line(options, asked, k); },
+      [&](std::size_t k, std::string line, double ns) {
+        lines[k] = std::move(line);
+        fastest[k] = std::min(fastest[k], ns);
+        if (options.time) work[k] = work_columns(fastest[k], asked.query.statistics());
+        asked.query.clear_statistics();
+      });
+  std::string text;
+  if (!options.csv.empty()) {
+    text = std::string("pose,") + (options.within.empty() ? "distance" : "within");
+    if (options.points) text += ",x0,y0,z0,x1,y1,z1";
+    text += options.time ? ",ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "\n";
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    text += options.csv.empty() ? lines[k]
+                                : std::to_string(k) + "," + lines[k].substr(0, lines[k].size() - 1) + work[k] + "\n";
+  return text;
+}
+
+std::string certificate(const Distance_options& options, Asked_pair& asked)
+{
+  Certificate certificate = certificate_of(asked.models[0], asked.models[1]);
+  for (std::size_t k = 0; k < asked.poses.count(); ++k) {
+    const kernel::Pose &a = asked.poses.of_a(k), &b = asked.poses.of_b(k);
     if (options.within.empty())
-      certificate.distance(query, a, b);
+      certificate.distance(asked.query, a, b);
     else
-      certificate.within(query, a, b, options.within);
+      certificate.within(asked.query, a, b, options.within);
   }
   return certificate.text();
 }
 
 void run_distance(const Distance_options& options)
 {
-  const auto question = kernel::parse_question(options.question);
-  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
+  const Question question = required_question(options.question);
   const auto how = parse_kernel(options.kernel);
   if (!how || (how->kernel != Kernel::adaptive && how->kernel != Kernel::double_ && how->kernel != Kernel::rational))
     throw CLI::ValidationError("--kernel " + options.kernel, "expected adaptive, double or rational");
-  if (options.exact && how->kernel == Kernel::double_)
-    throw CLI::ValidationError("--exact", "expected --kernel adaptive or rational");
-  if (options.points && how->kernel == Kernel::double_)
-    throw CLI::ValidationError("--points", "expected --kernel adaptive or rational");
-  if (!options.certificate.empty() && how->kernel == Kernel::double_)
-    throw CLI::ValidationError("--certificate", "expected --kernel adaptive or rational");
+  for (const auto& [given, name] : {std::pair(options.exact, "--exact"),
+                                    {options.points, "--points"},
+                                    {!options.certificate.empty(), "--certificate"}})
+    if (given && how->kernel == Kernel::double_)
+      throw CLI::ValidationError(name, "expected --kernel adaptive or rational");
   if (options.points && (options.exact || !options.within.empty()))
     throw CLI::ValidationError("--points", "expected without --exact and --within");
   if (options.exact && !options.within.empty()) throw CLI::ValidationError("--exact", "expected without --within");
   if (options.exact && !options.csv.empty()) throw CLI::ValidationError("--exact", "expected without --csv");
-  if (!options.within.empty() && !kernel::parse_number(options.within))
-    throw CLI::ValidationError("--within " + options.within, "expected a decimal number or a fraction n/d");
-  if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
-  if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
-  for (const std::string& output : {options.csv, options.certificate})
-    if (!output.empty()) options.names.refuse_as_output(output);
-  require_other_file(options.certificate, options.csv);
+  require_distance(options.within);
+  options.require(false);
+  options.require_files();
 
-  const Pose_pairs poses = read_pose_pairs(options.names);
-  const bool solid = *question == Question::solid;
-  const auto models = load_models(options.names.a, options.names.b, options.names.models, solid);
-  Query query(models[0].body, models[1].body, *question, *how);
-  const std::string text = Asking(options, query, models, poses).text();
-  if (!options.certificate.empty()) write_whole(options.certificate, certificate(options, query, models, poses));
+  Asked_pair asked = read_pair(options.names, question, *how);
+  const std::string text = answers_of(options, asked);
+  if (!options.certificate.empty()) write_whole(options.certificate, certificate(options, asked));
   write_answers(options.csv, text);
+}
+
+struct Zone_options {
+  Scene_names names;
+  std::string within, question = "solid";
+};
+
+void run_zone(const Zone_options& options)
+{
+  const Question question = required_question(options.question);
+  require_distance(options.within);
+  Asked_pair asked = read_pair(options.names, question);
+  std::string text;
+  Progress progress("poses", asked.poses.count());
+  for (std::size_t k = 0; k < asked.poses.count(); ++k) {
+    std::vector<covering::Index> faces;
+    for (const covering::Index f : asked.query.zone(asked.poses.of_a(k), asked.poses.of_b(k), options.within))
+      faces.push_back(asked.models[0].source_face[f]);
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    for (const covering::Index f : faces) text += (f == faces.front() ? "" : " ") + std::to_string(f);
+    text += faces.empty() ? "-\n" : "\n";
+    progress.step();
+  }
+  std::cout << text;
 }
 
 }  // namespace
@@ -160,8 +134,7 @@ void add_distance_command(CLI::App& app)
   CLI::App* command = app.add_subcommand(
       "distance", "How far apart two models are: the double nearest to the exact distance, a line a pose");
   const auto options = std::make_shared<Distance_options>();
-  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
-  command->add_option("B", options->names.b, "Model")->required();
+  add_models(*command, options->names.a, options->names.b);
   add_default(*command, "--question", options->question,
               "solid: of the solids, 0 where they collide; surface: of the surfaces, which may be open");
   command->add_flag("--exact", options->exact,
@@ -185,6 +158,24 @@ void add_distance_command(CLI::App& app)
       "rounds.\n"
       "Example: tetracone distance cat.off house.poly --pose-b poses.txt --within 1/10");
   command->callback([options] { run_distance(*options); });
+}
+
+void add_zone_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("zone", "The faces of one model that come near another, a line a pose");
+  const auto options = std::make_shared<Zone_options>();
+  add_models(*command, options->names.a, options->names.b);
+  command
+      ->add_option("--within", options->within,
+                   "The distance, a decimal number (its double) or a fraction n/d: decided on squares, exactly")
+      ->required();
+  add_default(*command, "--question", options->question,
+              "solid: how far from B's solid; surface: from its surface, which may be open");
+  options->names.add_options_to(*command);
+  command->footer(
+      "One line a pose: the numbers of the faces of A that have a point within that distance of B, or `-` for none.\n"
+      "Example: tetracone zone cat.off house.poly --within 1/10 --pose-b poses.txt");
+  command->callback([options] { run_zone(*options); });
 }
 
 }  // namespace tetracone::experiments

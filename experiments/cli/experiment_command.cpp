@@ -1,4 +1,3 @@
-#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 #include "experiments/cli/subject_options.h"
 
@@ -7,14 +6,6 @@
 #include "experiments/report/method_figures.h"
 #include "experiments/scenes/experiments.h"
 #include "experiments/speed/experiments.h"
-#include "experiments/support/build_info.h"
-
-#include <algorithm>
-#include <array>
-#include <iostream>
-#include <memory>
-#include <string>
-#include <string_view>
 
 namespace tetracone::experiments {
 namespace {
@@ -108,6 +99,7 @@ void run_experiment(const CLI::App& command, Command_options options)
   }
   again() = "build/tetracone experiment " + options.name + " --out out" + words_of(command, words);
   if (options.models.empty()) options.models = TETRACONE_SOURCE_DIR "/.cache/models";
+  make_folder(options.out);
   chosen->run(options);
 }
 

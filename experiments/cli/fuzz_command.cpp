@@ -11,25 +11,12 @@
 #include "verify/shrink/mutate.h"
 #include "verify/shrink/shrink.h"
 #include "verify/shrink/wrong_answers.h"
-#include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/truth/predicate_truth.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <chrono>
-#include <cstdint>
-#include <cstdio>
-#include <filesystem>
 #include <map>
-#include <memory>
-#include <optional>
 #include <set>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -78,7 +65,7 @@ bool is_default(const std::string& name)
 {
   const std::string_view kernel = std::string_view(name).substr(0, name.find(' '));
   constexpr std::array<std::string_view, 4> kernels = {"double", "float", "epick", "adaptive"};
-  return std::find(kernels.begin(), kernels.end(), kernel) != kernels.end() && !name.ends_with(" brute");
+  return std::ranges::find(kernels, kernel) != kernels.end() && !name.ends_with(" brute");
 }
 
 /// Returns the names that `wanted` stands for: itself and its continuations after a space, else all that begin with it.
@@ -92,11 +79,9 @@ std::set<std::string> chosen(const std::vector<std::string>& names, const std::s
   if (wanted.empty()) return those(is_default);
   auto some = those([&](const std::string& name) { return name == wanted || name.starts_with(wanted + " "); });
   if (some.empty()) some = those([&](const std::string& name) { return name.starts_with(wanted); });
-  if (some.empty()) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    throw CLI::ValidationError("--subject " + wanted, "expected one of " + list + ", or how some of them begin");
-  }
+  if (some.empty())
+    throw CLI::ValidationError("--subject " + wanted,
+                               "expected one of " + joined(names) + ", or how some of them begin");
   return some;
 }
 
@@ -326,14 +311,10 @@ void run_fuzz(const Fuzz_options& options)
 {
   if (!(options.seconds >= 0 && options.seconds <= 1e9))
     throw CLI::ValidationError("--seconds", "expected a number from 0 to 1e9");
-  bool exact_was_wrong = false;
-  {
-    Fuzz fuzz(options);
-    fuzz.run();
-    fuzz.print();
-    exact_was_wrong = fuzz.exact_was_wrong();
-  }
-  if (exact_was_wrong) throw CLI::RuntimeError(1);
+  Fuzz fuzz(options);
+  fuzz.run();
+  fuzz.print();
+  if (fuzz.exact_was_wrong()) throw CLI::RuntimeError(1);
 }
 
 }  // namespace
@@ -343,17 +324,15 @@ void add_fuzz_command(CLI::App& app)
   CLI::App* command =
       app.add_subcommand("fuzz", "New wrong answers on fresh and mutated cases, shrunk, each a case file");
   const auto options = std::make_shared<Fuzz_options>();
-  command->add_option("--seconds", options->seconds, "Time to spend")->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of all cases")
-      ->capture_default_str()
-      ->check(CLI::Range(0ul, 1ul << 62));
+  add_default(*command, "--seconds", options->seconds, "Time to spend");
+  add_default(*command, "--seed", options->seed, "Seed of all cases")->check(CLI::Range(0ul, 1ul << 62));
   command->add_option(
       "--subject", options->subject,
       "Only this subject, or those whose names begin so; default: the trees of double, float, epick and adaptive");
   command->add_option("--family", options->families, "Only this family of pairs of bodies; may be given again")
       ->allow_extra_args(false);
   add_subject_options(*command, options->others);
-  command->add_option("--out", options->out, "Folder of the case files")->capture_default_str();
+  add_default(*command, "--out", options->out, "Folder of the case files");
   command->footer(
       "Each new kind of wrong answer (subject, family, question or features, direction) is written once.\n"
       "Exit status 1: an exact subject was wrong.\n"

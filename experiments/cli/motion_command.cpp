@@ -1,29 +1,13 @@
-#include "experiments/cli/command_words.h"
-#include "experiments/cli/commands.h"
-
-#include "experiments/cli/answer_rows.h"
-#include "experiments/cli/certificate_file.h"
-#include "experiments/support/model_file.h"
+#include "experiments/cli/pair_command.h"
 #include "experiments/support/motion_options.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "experiments/support/stopwatch.h"
-#include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/tetracone.h"
-
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
 
 namespace tetracone::experiments {
 namespace {
 
-struct Motion_options {
+struct Motion_options : Answer_options {
   Motion_names names;
-  std::string csv, certificate, question = "solid";
-  bool time = false, features = false, first = false;
+  std::string question = "solid";
+  bool features = false, first = false;
 };
 
 /// The contact with faces as the files have them.
@@ -91,25 +75,20 @@ std::string answers(const Motion_options& options, Query& query, const std::arra
 
 void run_motion(const Motion_options& options)
 {
-  const auto question = kernel::parse_question(options.question);
-  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
-  if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
+  const Question question = required_question(options.question);
+  options.require(false);
   if (options.first && options.names.path.empty()) throw CLI::ValidationError("--first", "expected with --path");
   if (!options.certificate.empty() && options.first)
     throw CLI::ValidationError("--certificate", "expected without --first");
-  for (const std::string& output : {options.csv, options.certificate})
-    if (!output.empty()) options.names.refuse_as_output(output);
-  require_other_file(options.certificate, options.csv);
+  options.require_files([&](const std::string& file) { options.names.refuse_as_output(file); });
   const Motion_pairs motions = read_motion_pairs(options.names);
-  const bool solid = *question == Question::solid;
-  const auto models = load_models(options.names.a, options.names.b, options.names.models, solid);
-  Query query(models[0].body, models[1].body, *question);
-  const std::string text = answers(options, query, models, motions);
-  write_answers(options.csv, text);
+  const auto models = load_models(options.names.a, options.names.b, options.names.models, question == Question::solid);
+  Query query(models[0].body, models[1].body, question);
+  write_answers(options.csv, answers(options, query, models, motions));
   if (options.certificate.empty()) return;
   Certificate certificate = certificate_of(models[0], models[1]);
   for (std::size_t k = 0; k < motions.a.size(); ++k)
-    certificate.first_contact(motions.a[k], motions.b[k], *question, query.first_contact(motions.a[k], motions.b[k]));
+    certificate.first_contact(motions.a[k], motions.b[k], question, query.first_contact(motions.a[k], motions.b[k]));
   write_certificate(options.certificate, certificate);
 }
 
@@ -121,8 +100,7 @@ void add_motion_command(CLI::App& app)
       "motion",
       "When two moving models first meet, exactly: `0`, or `1` and the doubles about the time, a line a motion");
   const auto options = std::make_shared<Motion_options>();
-  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
-  command->add_option("B", options->names.b, "Model")->required();
+  add_models(*command, options->names.a, options->names.b);
   options->names.add_options_to(*command);
   command->add_option("--path", options->names.path,
                       "Poses of B, one after the other: a motion from each to the next, a line each, of times t in [0, "

@@ -1,29 +1,14 @@
-#include "experiments/cli/commands.h"
-
-#include "experiments/cli/certificate_file.h"
-#include "experiments/support/model_file.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "experiments/support/stopwatch.h"
+#include "experiments/cli/pair_command.h"
 #include "tetracone/covering/io/read_points.h"
-#include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/tetracone.h"
-
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 // `tetracone inside` and `tetracone nearest`: a model, and a line for each point.
 namespace tetracone::experiments {
 namespace {
 
-struct Points_options {
-  std::string model, points, csv, certificate;
+struct Points_options : Answer_options {
+  std::string model, points;
   Model_options models;
-  bool exact = false, time = false;
+  bool exact = false;
 };
 
 using Words = std::vector<std::string>;
@@ -47,27 +32,20 @@ template <class Prepare, class Answer>
 void answer_points(const Points_options& options, const std::string& columns, const Prepare& prepare,
                    const Answer& answer)
 {
-  if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
-  for (const std::string& output : {options.csv, options.certificate})
-    if (!output.empty()) refuse_input(output, {options.model, options.points});
-  require_other_file(options.certificate, options.csv);
+  options.require(false);
+  options.require_files([&](const std::string& file) { refuse_input(file, {options.model, options.points}); });
   const auto points = covering::read_points(options.points);
   const Model_file model = load_model(options.model, options.models, true);
   prepare(model);
 
   const bool is_table = !options.csv.empty();
   std::string text = is_table ? "point," + columns + (options.time ? ",ns\n" : "\n") : "";
-  Progress progress("points", points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Stopwatch watch;
-    const Words words = answer(model, points[k]);
-    const auto ns = static_cast<long long>(watch.nanoseconds());
-    if (is_table) text += std::to_string(k) + ",";
-    for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : is_table ? "," : " ") + words[i];
-    if (options.time) text += "," + std::to_string(ns);
-    text += "\n";
-    progress.step();
-  }
+  ask_all(
+      "points", points.size(), 1, [&](std::size_t k) { return answer(model, points[k]); },
+      [&](std::size_t k, const Words& words, double ns) {
+        if (is_table) text += std::to_string(k) + ",";
+        text += joined(words, options.blank()) + (options.time ? ns_column(ns) : "") + "\n";
+      });
   write_answers(options.csv, text);
 }
 

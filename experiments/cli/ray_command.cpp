@@ -1,32 +1,15 @@
-#include "experiments/cli/commands.h"
-
-#include "experiments/cli/certificate_file.h"
-#include "experiments/support/model_file.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "experiments/support/stopwatch.h"
+#include "experiments/cli/pair_command.h"
 #include "tetracone/covering/io/read_rays.h"
 #include "tetracone/covering/model.h"
-#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/ray_face.h"
-#include "tetracone/tetratree/door/tetracone.h"
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
 
-struct Ray_options {
-  std::string model, rays, csv, certificate;
+struct Ray_options : Answer_options {
+  std::string model, rays, end;
   Model_options models;
-  std::string end;
-  bool all = false, any = false, sides = false, normals = false, time = false;
+  bool all = false, any = false, sides = false, normals = false;
 };
 
 /// Where the ray first meets the triangle, exactly; the triangle may be a segment.
@@ -95,13 +78,6 @@ std::vector<std::string> hit_words(const Ray& ray, const Ray_hit& hit, const Mod
   return words;
 }
 
-std::string joined(const std::vector<std::string>& words, const std::string& separator)
-{
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
-  return text;
-}
-
 double end_of(const Ray_options& options)
 {
   if (options.end.empty()) return std::numeric_limits<double>::infinity();
@@ -112,15 +88,13 @@ double end_of(const Ray_options& options)
 
 void run_ray(const Ray_options& options)
 {
-  if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
+  options.require(false);
   if (options.any && (options.all || options.sides || options.normals))
     throw CLI::ValidationError("--any", "expected without --all, --sides and --normals");
   if (!options.certificate.empty() && (options.all || options.any))
     throw CLI::ValidationError("--certificate", "expected without --all and --any");
   const double end = end_of(options);
-  for (const std::string& output : {options.csv, options.certificate})
-    if (!output.empty()) refuse_input(output, {options.model, options.rays});
-  require_other_file(options.certificate, options.csv);
+  options.require_files([&](const std::string& file) { refuse_input(file, {options.model, options.rays}); });
   const auto rays = covering::read_rays(options.rays);
   const Model_file model = load_model(options.model, options.models, false);
   const Body body = model.body;
@@ -146,7 +120,7 @@ void run_ray(const Ray_options& options)
       hits = body.hits(ray, end);
     else if (const auto first = body.first_hit(ray, end))
       hits = {*first};
-    const std::string ns = options.time ? "," + std::to_string(static_cast<long long>(watch.nanoseconds())) : "";
+    const std::string ns = options.time ? ns_column(watch.nanoseconds()) : "";
     if (certificate) certificate->first_hit(ray, hits.empty() ? std::nullopt : std::optional(hits[0]), end);
     hits = as_in_file(ray, hits, model);
     if (options.any) {

@@ -1,8 +1,6 @@
-#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/peers/fcl.h"
-#include "experiments/peers/peer.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/output_file.h"
 #include "tetracone/covering/io/input_error.h"
@@ -12,18 +10,8 @@
 #include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/predicate_subject.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <filesystem>
-#include <iostream>
-#include <memory>
 #include <set>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -123,9 +111,9 @@ void run_report(const Report_options& options)
   verify::Database database(db, verify::Database::Mode::read);
   if (!options.table.empty()) {
     if (std::none_of(tables.begin(), tables.end(), [&](const auto& table) { return table.first == options.table; })) {
-      std::string list;
-      for (const auto& [name, what] : tables) list += (list.empty() ? "" : ", ") + std::string(name);
-      throw CLI::ValidationError("--table " + options.table, "expected one of " + list);
+      std::vector<std::string> names;
+      for (const auto& [name, what] : tables) names.emplace_back(name);
+      throw CLI::ValidationError("--table " + options.table, "expected one of " + joined(names));
     }
     std::cout << verify::table_as_csv(database, options.table);
     return;

@@ -3,10 +3,6 @@
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "tetracone/tetratree/door/body_file.h"
-#include "tetracone/tetratree/door/tetracone.h"
-
-#include <memory>
-#include <string>
 
 namespace tetracone::experiments {
 namespace {

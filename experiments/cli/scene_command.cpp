@@ -1,31 +1,19 @@
-#include "experiments/cli/command_words.h"
-#include "experiments/cli/commands.h"
+#include "experiments/cli/pair_command.h"
 
-#include "experiments/support/model_file.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/motion/body_motion.h"
-#include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/scene/scene.h"
 #include "verify/cases/scene_file.h"
 
 #include <chrono>
-#include <cstdint>
 #include <exception>
-#include <iostream>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
-  std::string file, csv, question = "solid", kernel = "adaptive", motion, within;
-  bool json = false, time = false, relation = false;
+struct Options : Answer_options {
+  std::string file, question = "solid", kernel = "adaptive", motion, within;
+  bool relation = false;
   std::size_t memory = 0, threads = 1;
   std::int64_t budget = 0;
   Model_options models;
@@ -56,7 +44,7 @@ class Rows {
     } else if (options_.time) {
       text_ += row(number, scene, pairs.size(), ns);
     } else {
-      const std::string comma = options_.csv.empty() ? " " : ",";
+      const std::string comma = options_.blank();
       const bool has_answers = options_.budget != 0 && !options_.csv.empty();
       for (std::size_t k = 0; k < pairs.size(); ++k) {
         text_ += number + comma + std::to_string(pairs[k].a) + comma + std::to_string(pairs[k].b);
@@ -120,7 +108,7 @@ class Rows {
     } else if (options_.time) {
       text_ += row(number, scene, pairs.size(), ns);
     } else {
-      const std::string comma = options_.csv.empty() ? " " : ",";
+      const std::string comma = options_.blank();
       for (const auto& each : pairs) {
         text_ += number + comma + std::to_string(each.pair.a) + comma + std::to_string(each.pair.b);
         for (const auto& [what, x] : numbers(each)) text_ += comma + kernel::shortest(x);
@@ -222,29 +210,23 @@ std::vector<Motion> motions_between(verify::Scene_file& file, std::size_t frame,
 
 void run(const Options& options)
 {
-  const auto question = kernel::parse_question(options.question);
-  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
+  const Question question = required_question(options.question);
   const auto query = parse_kernel(options.kernel);
   if (!query) throw CLI::ValidationError("--kernel " + options.kernel, "expected " + kernel_names());
-  if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
-  if (options.time && options.csv.empty() && !options.json)
-    throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
+  options.require(true);
   if (options.threads > 1024)
     throw CLI::ValidationError("--threads", "expected a number from 1 to 1024, or 0 for all that there are");
   const bool moves = !options.motion.empty();
   if (moves && options.motion != "linear" && options.motion != "rigid")
     throw CLI::ValidationError("--motion " + options.motion, "expected linear or rigid");
   if (moves && options.budget != 0) throw CLI::ValidationError("--budget", "expected without --motion");
-  if (options.relation && moves) throw CLI::ValidationError("--relation", "expected without --motion");
-  if (options.relation && options.budget != 0) throw CLI::ValidationError("--relation", "expected without --budget");
-  if (options.relation && *question != Question::solid)
-    throw CLI::ValidationError("--relation", "expected with --question solid");
-  if (options.relation && query->kernel != Kernel::adaptive)
-    throw CLI::ValidationError("--relation", "expected with --kernel adaptive");
-  if (options.relation && !options.within.empty())
-    throw CLI::ValidationError("--relation", "expected without --within");
-  if (!options.within.empty() && !kernel::parse_number(options.within))
-    throw CLI::ValidationError("--within " + options.within, "expected a decimal number or a fraction n/d");
+  for (const auto& [holds, expected] : {std::pair(!moves, "without --motion"),
+                                        {options.budget == 0, "without --budget"},
+                                        {question == Question::solid, "with --question solid"},
+                                        {query->kernel == Kernel::adaptive, "with --kernel adaptive"},
+                                        {options.within.empty(), "without --within"}})
+    if (options.relation && !holds) throw CLI::ValidationError("--relation", std::string("expected ") + expected);
+  require_distance(options.within);
   if (!options.within.empty() && (moves || options.budget != 0))
     throw CLI::ValidationError("--within", "expected without --motion and --budget");
   if (options.budget < 0) throw CLI::ValidationError("--budget", "expected nanoseconds, a number from 0");
@@ -252,7 +234,7 @@ void run(const Options& options)
   verify::Scene_file file(options.file, options.motion == "rigid");
   if (!options.csv.empty()) refuse_input(options.csv, file.files());
   Scene scene = scene_of(file,
-                         {.question = *question,
+                         {.question = question,
                           .query = *query,
                           .threads = options.threads,
                           .memory = options.memory,

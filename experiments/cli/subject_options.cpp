@@ -1,12 +1,10 @@
 #include "experiments/cli/subject_options.h"
 
+#include "experiments/cli/command_words.h"
 #include "experiments/peers/subject_command.h"
 #include "experiments/support/sha256.h"
 #include "verify/campaign/family_lines.h"
 
-#include <cctype>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -103,9 +101,7 @@ std::vector<std::string> family_names()
 
 void refuse_family(const std::string& name)
 {
-  std::string list;
-  for (const std::string& known : family_names()) list += (list.empty() ? "" : ", ") + known;
-  throw CLI::ValidationError("--family " + name, "expected one of " + list);
+  throw CLI::ValidationError("--family " + name, "expected one of " + joined(family_names()));
 }
 
 }  // namespace tetracone::experiments

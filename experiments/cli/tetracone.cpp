@@ -8,21 +8,13 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/number/floating_point.h"
 
-#include <CLI/CLI.hpp>
-
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <exception>
-#include <iostream>
 #include <new>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace {
 
@@ -78,27 +70,16 @@ int main(int argc, char** argv)
   app.require_subcommand(0, 1);
   app.footer("tetracone COMMAND --help says more, with an example.");
 
-  tetracone::experiments::add_check_command(app);
-  tetracone::experiments::add_save_command(app);
-  tetracone::experiments::add_collide_command(app);
-  tetracone::experiments::add_distance_command(app);
-  tetracone::experiments::add_relation_command(app);
-  tetracone::experiments::add_exit_command(app);
-  tetracone::experiments::add_depth_command(app);
-  tetracone::experiments::add_inside_command(app);
-  tetracone::experiments::add_nearest_command(app);
-  tetracone::experiments::add_zone_command(app);
-  tetracone::experiments::add_ray_command(app);
-  tetracone::experiments::add_scene_command(app);
-  tetracone::experiments::add_motion_command(app);
-  tetracone::experiments::add_ccd_command(app);
-  tetracone::experiments::add_verify_command(app);
-  tetracone::experiments::add_merge_command(app);
-  tetracone::experiments::add_fuzz_command(app);
-  tetracone::experiments::add_experiment_command(app);
-  tetracone::experiments::add_report_command(app);
-  tetracone::experiments::add_view_command(app);
-  tetracone::experiments::add_peer_worker_command(app);
+  namespace commands = tetracone::experiments;
+  for (const auto add :
+       {commands::add_check_command,    commands::add_save_command,     commands::add_collide_command,
+        commands::add_distance_command, commands::add_relation_command, commands::add_exit_command,
+        commands::add_depth_command,    commands::add_inside_command,   commands::add_nearest_command,
+        commands::add_zone_command,     commands::add_ray_command,      commands::add_scene_command,
+        commands::add_motion_command,   commands::add_ccd_command,      commands::add_verify_command,
+        commands::add_merge_command,    commands::add_fuzz_command,     commands::add_experiment_command,
+        commands::add_report_command,   commands::add_view_command,     commands::add_peer_worker_command})
+    add(app);
   refuse_empty_words(app);
 
   try {

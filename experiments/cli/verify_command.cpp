@@ -1,4 +1,3 @@
-#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/certificates/certified_subjects.h"
@@ -13,17 +12,10 @@
 #include "verify/campaign/family_lines.h"
 #include "verify/cases/case_file.h"
 
-#include <algorithm>
-#include <cstdio>
-#include <filesystem>
 #include <iomanip>
-#include <iostream>
-#include <memory>
+#include <iterator>
 #include <set>
-#include <string>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -66,13 +58,11 @@ std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<s
   if (names.empty()) return all;
   std::vector<Subject> some;
   for (const Subject& subject : all) {
-    bool wanted = false;
-    for (const std::string& name : names)
-      if (is_named(subject.name, name)) {
-        wanted = true;
-        known.insert(name);
-      }
-    if (wanted) some.push_back(subject);
+    std::set<std::string> selecting;
+    std::ranges::copy_if(names, std::inserter(selecting, selecting.end()),
+                         [&](const std::string& name) { return is_named(subject.name, name); });
+    if (!selecting.empty()) some.push_back(subject);
+    known.merge(selecting);
   }
   return some;
 }
@@ -133,13 +123,10 @@ void choose_subjects(const Verify_options& options, Campaign& campaign)
     asked.is_asked = asked.is_asked && (is_first || !asked.subjects.empty());
   });
   for (const std::string& name : options.subjects)
-    if (!known.contains(name)) {
-      std::string list;
-      for (const auto& subject : objects) list += (list.empty() ? "" : ", ") + subject.name;
-      throw CLI::ValidationError(
-          "--subject " + name,
-          "expected one of " + list + " or of the subjects of predicates, points, rays, scenes and motions");
-    }
+    if (!known.contains(name))
+      throw CLI::ValidationError("--subject " + name,
+                                 "expected one of " + names_of(objects) +
+                                     " or of the subjects of predicates, points, rays, scenes and motions");
 }
 
 /// Adds the family to the levels that ask it; false when there is none.
@@ -188,9 +175,7 @@ std::string level_names()
 {
   std::vector<std::string> names;
   verify::for_each_level(Campaign().levels, [&]<class Level>(const Asked<Level>&) { names.emplace_back(Level::name); });
-  std::string list = names.front();
-  for (std::size_t k = 1; k < names.size(); ++k) list += (k + 1 < names.size() ? ", " : " or ") + names[k];
-  return list;
+  return alternatives(names);
 }
 
 void choose_sizes(const Verify_options& options, Campaign& campaign)
@@ -366,19 +351,15 @@ void add_verify_command(CLI::App& app)
   CLI::App* command =
       app.add_subcommand("verify", "A campaign: every subject on every family of cases, against two exact truths");
   const auto options = std::make_shared<Verify_options>();
-  command->add_option("--db", options->db, "Database of the results (SQLite)")->capture_default_str();
+  add_default(*command, "--db", options->db, "Database of the results (SQLite)");
   command
       ->add_option("--cases", options->cases,
                    "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
                    "features, of contacts, of distances, of scenes and of motions, 64 of points and of rays")
       ->check(CLI::Range(1ul, 1'000'000'000ul));
-  command->add_option("--seed", options->campaign.seed, "Seed of all cases")
-      ->capture_default_str()
-      ->check(CLI::Range(0ul, 1ul << 62));
-  command
-      ->add_option("--shard", options->shard,
-                   "i/n: every n-th batch from batch i; `tetracone merge` joins the databases")
-      ->capture_default_str();
+  add_default(*command, "--seed", options->campaign.seed, "Seed of all cases")->check(CLI::Range(0ul, 1ul << 62));
+  add_default(*command, "--shard", options->shard,
+              "i/n: every n-th batch from batch i; `tetracone merge` joins the databases");
   command
       ->add_option("--family", options->families, "Only this family; may be given again; --list says what each one is")
       ->allow_extra_args(false);
@@ -396,8 +377,7 @@ void add_verify_command(CLI::App& app)
   command->add_option("--check-subject", options->check_subject,
                       "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
   command->add_option("--level", options->level, "Only this level: " + level_names());
-  command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
-      ->capture_default_str()
+  add_default(*command, "--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
       ->check(CLI::Range(0, 100'000));
   command->footer(
       "Run again with the same words, it goes on where it was; with more cases or other subjects, it adds what is "

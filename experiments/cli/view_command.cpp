@@ -1,23 +1,13 @@
-#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
-#include "experiments/support/motion_options.h"
 #include "experiments/support/output_file.h"
-#include "experiments/viewer/scene_data.h"
 #include "experiments/viewer/view_data.h"
-#include "experiments/viewer/view_scene.h"
 #include "experiments/viewer/viewer_files.h"
 #include "tetracone/covering/io/read_rays.h"
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/scene_file.h"
 
-#include <array>
-#include <memory>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {

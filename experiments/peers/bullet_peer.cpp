@@ -1,6 +1,4 @@
-#include "experiments/peers/depth_peer.h"
-#include "experiments/peers/peer.h"
-#include "experiments/peers/scene_peer.h"
+#include "experiments/peers/peer_tables.h"
 
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
@@ -185,20 +183,17 @@ class Bullet_scene : public Scene_peer {
 
 }  // namespace
 
-std::unique_ptr<Prepared_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b)
+void add_bullet(Peer_tables& tables)
 {
-  return std::make_unique<Bullet_pair>(a, b);
-}
-
-std::unique_ptr<Depth_peer> bullet_depth(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Bullet_depth>(a, b);
-}
-
-std::unique_ptr<Scene_peer> prepare_bullet_scene(const std::vector<Peer_mesh>& meshes,
-                                                 const std::vector<std::size_t>& of)
-{
-  return std::make_unique<Bullet_scene>(meshes, of);
+  tables.pairs.push_back({"Bullet GImpact",
+                          "Bullet, GImpact meshes, margin 0: surfaces only, so a solid inside a solid is missed; "
+                          "float, and near counts as touching",
+                          verify::Knows::surfaces, make_peer<Prepared_pair, Bullet_pair>,
+                          verify::In_floats::vertices_and_poses});
+  tables.depths.push_back({"Bullet",
+                           "Bullet, btGjkPairDetector with the EPA solver on two convex hulls, margin 0; float",
+                           make_peer<Depth_peer, Bullet_depth>});
+  tables.scenes.push_back({"Bullet Dbvt and GImpact", make_peer<Scene_peer, Bullet_scene>});
 }
 
 }  // namespace tetracone::experiments

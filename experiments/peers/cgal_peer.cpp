@@ -1,4 +1,4 @@
-#include "experiments/peers/peer.h"
+#include "experiments/peers/peer_tables.h"
 #include "tetracone/kernel/predicate/kernels.h"
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -51,6 +51,7 @@ class Cgal_pair : public Prepared_pair {
   std::size_t id_a_, id_b_;
 };
 
+/// Returns null unless both meshes are manifold.
 template <class K>
 std::unique_ptr<Prepared_pair> prepare(const Peer_mesh& a, const Peer_mesh& b)
 {
@@ -61,13 +62,16 @@ std::unique_ptr<Prepared_pair> prepare(const Peer_mesh& a, const Peer_mesh& b)
 
 }  // namespace
 
-std::unique_ptr<Prepared_pair> prepare_cgal_epick(const Peer_mesh& a, const Peer_mesh& b)
+void add_cgal(Peer_tables& tables)
 {
-  return prepare<kernel::Epick>(a, b);
-}
-std::unique_ptr<Prepared_pair> prepare_cgal_epeck(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return prepare<kernel::Epeck>(a, b);
+  tables.pairs.push_back({"CGAL RMCD EPICK",
+                          "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by "
+                          "inclusion; exact predicates on points that the motion has rounded",
+                          verify::Knows::both, prepare<kernel::Epick>});
+  tables.pairs.push_back({"CGAL RMCD EPECK",
+                          "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by "
+                          "inclusion; exact for a pose of doubles",
+                          verify::Knows::both, prepare<kernel::Epeck>});
 }
 
 }  // namespace tetracone::experiments

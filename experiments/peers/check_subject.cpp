@@ -1,17 +1,12 @@
 #include "experiments/peers/check_subject.h"
 
-#include "experiments/peers/command_process.h"
 #include "experiments/peers/subject_lines.h"
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/shape_generators.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

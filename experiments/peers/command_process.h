@@ -6,9 +6,7 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace tetracone::experiments {

@@ -3,10 +3,6 @@
 
 #include "experiments/peers/peer.h"
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 namespace tetracone::experiments {
 
 /// Another library's penetration of two convex meshes, prepared once.
@@ -28,14 +24,6 @@ struct Named_depth_peer {
 
 /// Returns the depth peers of this build.
 const std::vector<Named_depth_peer>& depth_peers();
-
-// One library a file, NAME_peer.cpp, built where it is installed.
-
-std::unique_ptr<Depth_peer> fcl_libccd_depth(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Depth_peer> fcl_own_depth(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Depth_peer> libccd_epa_depth(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Depth_peer> libccd_mpr_depth(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Depth_peer> bullet_depth(const Peer_mesh& a, const Peer_mesh& b);
 
 }  // namespace tetracone::experiments
 

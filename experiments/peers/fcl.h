@@ -3,12 +3,8 @@
 
 #include "experiments/peers/peer.h"
 
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <span>
+#include <functional>
 #include <utility>
-#include <vector>
 
 /// FCL (Debian's package) on its trees of doubles, as its users run it. A function that prepares it returns null when
 /// the program was built without FCL. All poses must be rigid, except that of B in `prepare_fcl`.
@@ -37,43 +33,35 @@ class Fcl_contacts {
 std::unique_ptr<Fcl_contacts> prepare_fcl_contacts(const covering::Polyhedron& a, const covering::Polyhedron& b,
                                                    bool with_points);
 
-/// Another library's distance of two meshes, prepared once.
-class Distance_peer {
- public:
-  virtual ~Distance_peer() = default;
-  /// Returns the distance of the surfaces, in double; for meshes that meet, whatever the library returns.
-  virtual double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+/// Another library's distance of two meshes, prepared once. Under these poses it returns the distance of the surfaces,
+/// in double; for meshes that meet, whatever the library returns.
+using Distance_peer = std::function<double(const kernel::Pose& pose_a, const kernel::Pose& pose_b)>;
+
+/// A distance peer by its name.
+struct Named_distance_peer {
+  const char* name;
+  Distance_peer (*make)(const Peer_mesh& a, const Peer_mesh& b);
 };
 
-/// The distance with default settings, on trees of oriented boxes with swept spheres (OBBRSS).
-std::unique_ptr<Distance_peer> fcl_obbrss_distance(const Peer_mesh& a, const Peer_mesh& b);
-/// The distance on trees of swept spheres alone (RSS), otherwise as above.
-std::unique_ptr<Distance_peer> fcl_rss_distance(const Peer_mesh& a, const Peer_mesh& b);
+/// Returns the distance peers of this build, with default settings: on trees of oriented boxes with swept spheres
+/// (OBBRSS), and on trees of swept spheres alone (RSS).
+const std::vector<Named_distance_peer>& distance_peers();
 
-/// Another library's first contact of two moving meshes, prepared once.
-class Motion_peer {
- public:
-  virtual ~Motion_peer() = default;
-  /// Returns its time in [0, 1] for B's motion from one pose to another while A rests; nothing if it finds none.
-  virtual std::optional<double> first_contact(const kernel::Pose& from, const kernel::Pose& to) = 0;
-};
-
-/// continuousCollide by conservative advancement, on trees of oriented boxes with swept spheres. Its default setting
-/// ends the steps within 1e-4 of the time of contact.
-std::unique_ptr<Motion_peer> fcl_advancement(const Peer_mesh& a, const Peer_mesh& b);
-
-/// continuousCollide with its default method: static questions at ten steps.
-std::unique_ptr<Motion_peer> fcl_steps(const Peer_mesh& a, const Peer_mesh& b);
+/// Another library's first contact of two moving meshes, prepared once. It returns the time in [0, 1] for B's motion
+/// from one pose to another while A rests; nothing if it finds none.
+using Motion_peer = std::function<std::optional<double>(const kernel::Pose& from, const kernel::Pose& to)>;
 
 /// A motion peer by its name.
 struct Named_motion_peer {
   const char* name;
   const char* note;  ///< what it really answers
-  std::unique_ptr<Motion_peer> (*make)(const Peer_mesh& a, const Peer_mesh& b);
+  Motion_peer (*make)(const Peer_mesh& a, const Peer_mesh& b);
 };
 
-/// Returns the motion peers of this build.
-std::span<const Named_motion_peer> motion_peers();
+/// Returns the motion peers of this build: continuousCollide on trees of oriented boxes with swept spheres. It is asked
+/// by conservative advancement, whose default setting ends the steps within 1e-4 of the time of contact, and by its
+/// default method, static questions at ten steps.
+const std::vector<Named_motion_peer>& motion_peers();
 
 }  // namespace tetracone::experiments
 

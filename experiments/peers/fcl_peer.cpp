@@ -1,6 +1,4 @@
-#include "experiments/peers/depth_peer.h"
-#include "experiments/peers/fcl.h"
-#include "experiments/peers/scene_peer.h"
+#include "experiments/peers/peer_tables.h"
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -10,9 +8,7 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <stdexcept>
 
 namespace tetracone::experiments {
 namespace {
@@ -47,8 +43,8 @@ fcl::Transform3d transform(const kernel::Pose& pose, double scale = 1)
 template <class Volume>
 class Fcl_pair : public Prepared_pair {
  public:
-  Fcl_pair(const Peer_mesh& a, const Peer_mesh& b, double scale_b)
-      : a_(model_of<Volume>(a)), b_(model_of<Volume>(b, scale_b)), scale_b_(scale_b)
+  Fcl_pair(const Peer_mesh& a, const Peer_mesh& b, double scale_b = 1, bool tells_bytes = false)
+      : a_(model_of<Volume>(a)), b_(model_of<Volume>(b, scale_b)), scale_b_(scale_b), tells_bytes_(tells_bytes)
   {}
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
@@ -59,19 +55,13 @@ class Fcl_pair : public Prepared_pair {
            0;
   }
 
-  std::size_t bytes() const { return a_->memUsage(false) + b_->memUsage(false); }
+  /// FCL's copy of the models included.
+  std::size_t tree_bytes() const override { return tells_bytes_ ? a_->memUsage(false) + b_->memUsage(false) : 0; }
 
  private:
   Model<Volume> a_, b_;
   double scale_b_;
-};
-
-/// Says its bytes, which hold FCL's copy of the models too.
-class Fcl_pair_with_bytes : public Fcl_pair<fcl::OBBRSSd> {
- public:
-  using Fcl_pair::Fcl_pair;
-
-  std::size_t tree_bytes() const override { return bytes(); }
+  bool tells_bytes_;
 };
 
 Peer_mesh mesh_of(const covering::Polyhedron& polyhedron)
@@ -99,7 +89,7 @@ class Fcl_lister : public Fcl_contacts {
     std::vector<Pair> pairs;
     for (std::size_t k = 0; k < result_.numContacts(); ++k)
       pairs.push_back({covering::Index(result_.getContact(k).b1), covering::Index(result_.getContact(k).b2)});
-    std::sort(pairs.begin(), pairs.end());
+    std::ranges::sort(pairs);
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
   }
@@ -122,41 +112,29 @@ Peer_mesh as_it_is(const covering::Polyhedron& triangles)
 }
 
 template <class Volume>
-class Fcl_distance : public Distance_peer {
- public:
-  Fcl_distance(const Peer_mesh& a, const Peer_mesh& b) : a_(model_of<Volume>(a)), b_(model_of<Volume>(b)) {}
-
-  double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
-  {
+Distance_peer distance(const Peer_mesh& mesh_a, const Peer_mesh& mesh_b)
+{
+  return [a = model_of<Volume>(mesh_a), b = model_of<Volume>(mesh_b)](const kernel::Pose& pose_a,
+                                                                      const kernel::Pose& pose_b) {
     const fcl::DistanceRequestd request(false);
     fcl::DistanceResultd result;
-    return fcl::distance<double>(a_.get(), transform(pose_a), b_.get(), transform(pose_b), request, result);
-  }
+    return fcl::distance<double>(a.get(), transform(pose_a), b.get(), transform(pose_b), request, result);
+  };
+}
 
- private:
-  Model<Volume> a_, b_;
-};
-
-class Fcl_motion : public Motion_peer {
- public:
-  Fcl_motion(const Peer_mesh& a, const Peer_mesh& b, fcl::CCDSolverType solver)
-      : a_(model_of<fcl::OBBRSSd>(a)), b_(model_of<fcl::OBBRSSd>(b))
-  {
-    request_.ccd_solver_type = solver;
-  }
-
-  std::optional<double> first_contact(const kernel::Pose& from, const kernel::Pose& to) override
-  {
+template <fcl::CCDSolverType solver>
+Motion_peer motion(const Peer_mesh& mesh_a, const Peer_mesh& mesh_b)
+{
+  fcl::ContinuousCollisionRequestd request;
+  request.ccd_solver_type = solver;
+  return [a = model_of<fcl::OBBRSSd>(mesh_a), b = model_of<fcl::OBBRSSd>(mesh_b), request](const kernel::Pose& from,
+                                                                                           const kernel::Pose& to) {
     const fcl::Transform3d still = fcl::Transform3d::Identity();
     fcl::ContinuousCollisionResultd result;
-    fcl::continuousCollide<double>(a_.get(), still, still, b_.get(), transform(from), transform(to), request_, result);
+    fcl::continuousCollide<double>(a.get(), still, still, b.get(), transform(from), transform(to), request, result);
     return result.is_collide ? std::optional(result.time_of_contact) : std::nullopt;
-  }
-
- private:
-  Model<fcl::OBBRSSd> a_, b_;
-  fcl::ContinuousCollisionRequestd request_;
-};
+  };
+}
 
 /// Two convex bodies, without a tree.
 class Fcl_depth : public Depth_peer {
@@ -248,67 +226,38 @@ class Fcl_scene : public Scene_peer {
 
 }  // namespace
 
-std::unique_ptr<Prepared_pair> prepare_fcl_obbrss(const Peer_mesh& a, const Peer_mesh& b)
+void add_fcl(Peer_tables& tables)
 {
-  return std::make_unique<Fcl_pair<fcl::OBBRSSd>>(a, b, 1);
+  tables.pairs.push_back(
+      {"FCL OBBRSS", "FCL, BVHModel<OBBRSS>, one contact: surfaces only, so a solid inside a solid is missed; double",
+       verify::Knows::surfaces, make_peer<Prepared_pair, Fcl_pair<fcl::OBBRSSd>>});
+  tables.pairs.push_back(
+      {"FCL AABB", "FCL, BVHModel<AABB>, one contact: surfaces only, so a solid inside a solid is missed; double",
+       verify::Knows::surfaces, make_peer<Prepared_pair, Fcl_pair<fcl::AABBd>>});
+  tables.depths.push_back({"FCL libccd",
+                           "FCL, collide of two Convex with contact: the solver of libccd, whose contacts are of MPR",
+                           make_peer<Depth_peer, Fcl_depth, fcl::GST_LIBCCD>});
+  tables.depths.push_back({"FCL own", "FCL, collide of two Convex with contact: its own GJK solver, and EPA",
+                           make_peer<Depth_peer, Fcl_depth, fcl::GST_INDEP>});
+  tables.scenes.push_back({"FCL dynamic AABB tree", make_peer<Scene_peer, Fcl_scene>});
+  tables.distances = {{"fcl OBBRSS", distance<fcl::OBBRSSd>}, {"fcl RSS", distance<fcl::RSSd>}};
+  tables.motions = {{"FCL advancement",
+                     "continuousCollide of surfaces by conservative advancement, until within 1e-4 of the time; "
+                     "translations of B alone are asked",
+                     motion<fcl::CCDC_CONSERVATIVE_ADVANCEMENT>},
+                    {"FCL steps", "continuousCollide of surfaces by ten steps; translations of B alone are asked",
+                     motion<fcl::CCDC_NAIVE>}};
 }
-std::unique_ptr<Prepared_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_pair<fcl::AABBd>>(a, b, 1);
-}
+
 std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b)
 {
-  return std::make_unique<Fcl_pair_with_bytes>(mesh_of(a), mesh_of(b), scale_b);
+  return std::make_unique<Fcl_pair<fcl::OBBRSSd>>(mesh_of(a), mesh_of(b), scale_b, true);
 }
 
 std::unique_ptr<Fcl_contacts> prepare_fcl_contacts(const covering::Polyhedron& a, const covering::Polyhedron& b,
                                                    bool with_points)
 {
   return std::make_unique<Fcl_lister>(as_it_is(a), as_it_is(b), with_points);
-}
-
-std::unique_ptr<Distance_peer> fcl_obbrss_distance(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_distance<fcl::OBBRSSd>>(a, b);
-}
-std::unique_ptr<Distance_peer> fcl_rss_distance(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_distance<fcl::RSSd>>(a, b);
-}
-
-std::unique_ptr<Motion_peer> fcl_advancement(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_motion>(a, b, fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
-}
-std::unique_ptr<Motion_peer> fcl_steps(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_motion>(a, b, fcl::CCDC_NAIVE);
-}
-
-std::span<const Named_motion_peer> motion_peers()
-{
-  static constexpr std::array all = {
-      Named_motion_peer{"FCL advancement",
-                        "continuousCollide of surfaces by conservative advancement, until within 1e-4 of the time; "
-                        "translations of B alone are asked",
-                        fcl_advancement},
-      Named_motion_peer{"FCL steps", "continuousCollide of surfaces by ten steps; translations of B alone are asked",
-                        fcl_steps}};
-  return all;
-}
-
-std::unique_ptr<Depth_peer> fcl_libccd_depth(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_depth>(a, b, fcl::GST_LIBCCD);
-}
-std::unique_ptr<Depth_peer> fcl_own_depth(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Fcl_depth>(a, b, fcl::GST_INDEP);
-}
-
-std::unique_ptr<Scene_peer> prepare_fcl_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
-{
-  return std::make_unique<Fcl_scene>(meshes, of);
 }
 
 }  // namespace tetracone::experiments

@@ -1,5 +1,4 @@
-#include "experiments/peers/depth_peer.h"
-#include "experiments/peers/peer.h"
+#include "experiments/peers/peer_tables.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/predicate/signs.h"
 
@@ -124,7 +123,9 @@ class Libccd_depth : public Depth_peer {
   ccd_t ccd_;
 };
 
-std::unique_ptr<Prepared_pair> prepare(const Peer_mesh& a, const Peer_mesh& b, Libccd_pair::Intersect intersect)
+/// Returns null unless both meshes are closed and convex.
+template <Libccd_pair::Intersect intersect>
+std::unique_ptr<Prepared_pair> prepare(const Peer_mesh& a, const Peer_mesh& b)
 {
   if (!is_convex(a) || !is_convex(b)) return nullptr;
   return std::make_unique<Libccd_pair>(a, b, intersect);
@@ -132,22 +133,21 @@ std::unique_ptr<Prepared_pair> prepare(const Peer_mesh& a, const Peer_mesh& b, L
 
 }  // namespace
 
-std::unique_ptr<Prepared_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer_mesh& b)
+void add_libccd(Peer_tables& tables)
 {
-  return prepare(a, b, ccdGJKIntersect);
-}
-std::unique_ptr<Prepared_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return prepare(a, b, ccdMPRIntersect);
-}
-
-std::unique_ptr<Depth_peer> libccd_epa_depth(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Libccd_depth>(a, b, ccdGJKPenetration);
-}
-std::unique_ptr<Depth_peer> libccd_mpr_depth(const Peer_mesh& a, const Peer_mesh& b)
-{
-  return std::make_unique<Libccd_depth>(a, b, ccdMPRPenetration);
+  tables.pairs.push_back({"libccd GJK",
+                          "libccd, ccdGJKIntersect on the vertices, at most 100 iterations: convex solids only; "
+                          "double, with tolerances",
+                          verify::Knows::solids, prepare<ccdGJKIntersect>});
+  tables.pairs.push_back({"libccd MPR",
+                          "libccd, ccdMPRIntersect on the vertices, at most 100 iterations: convex solids only; "
+                          "double, with tolerances",
+                          verify::Knows::solids, prepare<ccdMPRIntersect>});
+  tables.depths.push_back({"libccd EPA", "libccd, ccdGJKPenetration on the vertices, at most 100 iterations",
+                           make_peer<Depth_peer, Libccd_depth, ccdGJKPenetration>});
+  tables.depths.push_back(
+      {"libccd MPR", "libccd, ccdMPRPenetration on the vertices, at most 100 iterations: no least depth is promised",
+       make_peer<Depth_peer, Libccd_depth, ccdMPRPenetration>});
 }
 
 }  // namespace tetracone::experiments

@@ -1,5 +1,4 @@
-#include "experiments/peers/peer.h"
-#include "experiments/peers/scene_peer.h"
+#include "experiments/peers/peer_tables.h"
 
 #include <ode/ode.h>
 
@@ -109,18 +108,21 @@ bool is_ready()
   return ready && dAllocateODEDataForThread(dAllocateMaskAll);
 }
 
-}  // namespace
-
-std::unique_ptr<Prepared_pair> prepare_ode(const Peer_mesh& a, const Peer_mesh& b)
+template <class Interface, class Method, class... Of>
+std::unique_ptr<Interface> make(const Of&... of)
 {
-  if (!is_ready()) return nullptr;
-  return std::make_unique<Ode_pair>(a, b);
+  return is_ready() ? std::make_unique<Method>(of...) : nullptr;
 }
 
-std::unique_ptr<Scene_peer> prepare_ode_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
+}  // namespace
+
+void add_ode(Peer_tables& tables)
 {
-  if (!is_ready()) return nullptr;
-  return std::make_unique<Ode_scene>(meshes, of);
+  tables.pairs.push_back({"ODE trimesh",
+                          "ODE, trimesh against trimesh by OPCODE: surfaces only, so a solid inside a solid is missed; "
+                          "double, and near counts as touching",
+                          verify::Knows::surfaces, make<Prepared_pair, Ode_pair>});
+  tables.scenes.push_back({"ODE hash space", make<Scene_peer, Ode_scene>});
 }
 
 }  // namespace tetracone::experiments

@@ -1,7 +1,6 @@
 #include "experiments/peers/peer.h"
 
-#include "experiments/peers/depth_peer.h"
-#include "experiments/peers/scene_peer.h"
+#include "experiments/peers/peer_tables.h"
 #include "verify/subjects/float_input.h"
 
 #include <cmath>
@@ -40,81 +39,36 @@ bool is_rigid(const kernel::Pose& pose)
   return pose.determinant_sign() == CGAL::POSITIVE;
 }
 
-const std::vector<Peer>& peers()
+namespace {
+
+const Peer_tables& tables()
 {
-  static const std::vector<Peer> all = {
+  static const Peer_tables all = [] {
+    Peer_tables tables;
 #ifdef TETRACONE_WITH_FCL
-      {"FCL OBBRSS", "FCL, BVHModel<OBBRSS>, one contact: surfaces only, so a solid inside a solid is missed; double",
-       verify::Knows::surfaces, prepare_fcl_obbrss},
-      {"FCL AABB", "FCL, BVHModel<AABB>, one contact: surfaces only, so a solid inside a solid is missed; double",
-       verify::Knows::surfaces, prepare_fcl_aabb},
+    add_fcl(tables);
 #endif
 #ifdef TETRACONE_WITH_BULLET
-      {"Bullet GImpact",
-       "Bullet, GImpact meshes, margin 0: surfaces only, so a solid inside a solid is missed; float, and near counts "
-       "as touching",
-       verify::Knows::surfaces, prepare_bullet, verify::In_floats::vertices_and_poses},
+    add_bullet(tables);
 #endif
 #ifdef TETRACONE_WITH_ODE
-      {"ODE trimesh",
-       "ODE, trimesh against trimesh by OPCODE: surfaces only, so a solid inside a solid is missed; double, and near "
-       "counts as touching",
-       verify::Knows::surfaces, prepare_ode},
+    add_ode(tables);
 #endif
 #ifdef TETRACONE_WITH_CCD
-      {"libccd GJK",
-       "libccd, ccdGJKIntersect on the vertices, at most 100 iterations: convex solids only; double, with tolerances",
-       verify::Knows::solids, prepare_libccd_gjk},
-      {"libccd MPR",
-       "libccd, ccdMPRIntersect on the vertices, at most 100 iterations: convex solids only; double, with tolerances",
-       verify::Knows::solids, prepare_libccd_mpr},
+    add_libccd(tables);
 #endif
-      {"CGAL RMCD EPICK",
-       "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by inclusion; exact "
-       "predicates on points "
-       "that the motion has rounded",
-       verify::Knows::both, prepare_cgal_epick},
-      {"CGAL RMCD EPECK",
-       "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by inclusion; exact for a "
-       "pose of doubles",
-       verify::Knows::both, prepare_cgal_epeck},
-  };
+    add_cgal(tables);
+    return tables;
+  }();
   return all;
 }
 
-const std::vector<Named_depth_peer>& depth_peers()
-{
-  static const std::vector<Named_depth_peer> all = {
-#ifdef TETRACONE_WITH_FCL
-      {"FCL libccd", "FCL, collide of two Convex with contact: the solver of libccd, whose contacts are of MPR",
-       fcl_libccd_depth},
-      {"FCL own", "FCL, collide of two Convex with contact: its own GJK solver, and EPA", fcl_own_depth},
-#endif
-#ifdef TETRACONE_WITH_CCD
-      {"libccd EPA", "libccd, ccdGJKPenetration on the vertices, at most 100 iterations", libccd_epa_depth},
-      {"libccd MPR", "libccd, ccdMPRPenetration on the vertices, at most 100 iterations: no least depth is promised",
-       libccd_mpr_depth},
-#endif
-#ifdef TETRACONE_WITH_BULLET
-      {"Bullet", "Bullet, btGjkPairDetector with the EPA solver on two convex hulls, margin 0; float", bullet_depth},
-#endif
-  };
-  return all;
-}
+}  // namespace
 
-std::vector<Scene_library> scene_libraries()
-{
-  return {
-#ifdef TETRACONE_WITH_FCL
-      {"FCL dynamic AABB tree", prepare_fcl_scene},
-#endif
-#ifdef TETRACONE_WITH_BULLET
-      {"Bullet Dbvt and GImpact", prepare_bullet_scene},
-#endif
-#ifdef TETRACONE_WITH_ODE
-      {"ODE hash space", prepare_ode_scene},
-#endif
-  };
-}
+const std::vector<Peer>& peers() { return tables().pairs; }
+const std::vector<Named_depth_peer>& depth_peers() { return tables().depths; }
+const std::vector<Scene_library>& scene_libraries() { return tables().scenes; }
+const std::vector<Named_distance_peer>& distance_peers() { return tables().distances; }
+const std::vector<Named_motion_peer>& motion_peers() { return tables().motions; }
 
 }  // namespace tetracone::experiments

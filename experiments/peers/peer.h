@@ -3,12 +3,10 @@
 
 #include "experiments/peers/prepared_pair.h"
 #include "tetracone/covering/polyhedron.h"
-#include "tetracone/kernel/number/pose.h"
 #include "verify/subjects/object_subject.h"
 
 #include <array>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,26 +40,6 @@ struct Peer {
 
 /// Returns the peers that the program was built with; CGAL's always exist.
 const std::vector<Peer>& peers();
-
-// One adapter a file, NAME_peer.cpp, built where the library is installed.
-
-/// FCL on trees of oriented boxes and sphere-swept rectangles, and of axis-aligned boxes.
-std::unique_ptr<Prepared_pair> prepare_fcl_obbrss(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Prepared_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh& b);
-
-/// Bullet's GImpact meshes without a margin.
-std::unique_ptr<Prepared_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b);
-
-/// ODE's trimesh against trimesh.
-std::unique_ptr<Prepared_pair> prepare_ode(const Peer_mesh& a, const Peer_mesh& b);
-
-/// libccd's GJK and MPR on the vertices. Null unless both meshes are closed and convex.
-std::unique_ptr<Prepared_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Prepared_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b);
-
-/// CGAL's Rigid_triangle_mesh_collision_detection. Null unless both meshes are manifold.
-std::unique_ptr<Prepared_pair> prepare_cgal_epick(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Prepared_pair> prepare_cgal_epeck(const Peer_mesh& a, const Peer_mesh& b);
 
 }  // namespace tetracone::experiments
 

@@ -1,7 +1,6 @@
 #include "experiments/peers/peer_worker.h"
 
 #include "experiments/peers/fcl.h"
-#include "experiments/peers/peer.h"
 #include "experiments/peers/peer_wire.h"
 #include "verify/subjects/spent.h"
 
@@ -12,16 +11,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <memory>
-#include <optional>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {
@@ -82,7 +76,7 @@ void answer(const T& value)
 template <class Ready>
 class Bench {
  public:
-  using Make = std::unique_ptr<Ready> (*)(const Peer_mesh& a, const Peer_mesh& b);
+  using Make = Ready (*)(const Peer_mesh& a, const Peer_mesh& b);
   explicit Bench(Make make) : make_(make) {}
 
   void take(covering::Polyhedron a, covering::Polyhedron b)
@@ -111,7 +105,7 @@ class Bench {
       making_ = 0;
       if (!built_) making_ = verify::timed([this] { return build(); }).second;
       if (!ready_) return wire::Answer::not_taken;
-      const auto [yes, asking] = verify::timed([&] { return says(*ready_); });
+      const auto [yes, asking] = verify::timed([&] { return says(ready_); });
       asking_ = asking;
       return yes ? wire::Answer::yes : wire::Answer::no;
     } catch (const std::exception&) {
@@ -122,7 +116,7 @@ class Bench {
 
   bool build()
   {
-    ready_.reset();
+    ready_ = nullptr;
     const auto a = peer_mesh(a_), b = peer_mesh(b_);
     if (a && b) ready_ = make_(*a, *b);
     return built_ = true;
@@ -130,7 +124,7 @@ class Bench {
 
   Make make_;
   covering::Polyhedron a_, b_;
-  std::unique_ptr<Ready> ready_;
+  Ready ready_;  // false where the peer does not take such meshes
   bool built_ = false;
   std::uint64_t making_ = 0, asking_ = 0;  // nanoseconds of the last answer
 };
@@ -197,10 +191,10 @@ void serve(typename Bench<Ready>::Make make, const Take& take)
 
 void serve(const Peer& peer)
 {
-  serve<Prepared_pair>(peer.prepare, [](auto& bench, const auto& read) {
+  serve<std::unique_ptr<Prepared_pair>>(peer.prepare, [](auto& bench, const auto& read) {
     const auto asked = wire::take<wire::Asked>(read);
-    bench.tell([&](Prepared_pair& pair) {
-      return pair.collide(kernel::Pose(asked.pose_a), kernel::Pose(asked.pose_b), asked.question);
+    bench.tell([&](const auto& pair) {
+      return pair->collide(kernel::Pose(asked.pose_a), kernel::Pose(asked.pose_b), asked.question);
     });
   });
 }
@@ -210,8 +204,8 @@ void serve(const Named_motion_peer& peer)
   serve<Motion_peer>(peer.make, [](auto& bench, const auto& read) {
     const auto asked = wire::take<wire::Asked_motion>(read);
     std::optional<double> time;
-    bench.tell([&](Motion_peer& motion) {
-      time = motion.first_contact(kernel::Pose(asked.from), kernel::Pose(asked.to));
+    bench.tell([&](const Motion_peer& first_contact) {
+      time = first_contact(kernel::Pose(asked.from), kernel::Pose(asked.to));
       return time.has_value();
     });
     if (time) answer(*time);

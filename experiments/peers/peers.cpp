@@ -2,21 +2,10 @@
 
 #include "experiments/peers/command_process.h"
 #include "experiments/peers/fcl.h"
-#include "experiments/peers/peer.h"
 #include "experiments/peers/peer_wire.h"
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {

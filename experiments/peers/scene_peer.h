@@ -3,12 +3,7 @@
 
 #include "experiments/peers/peer.h"
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 
@@ -34,17 +29,7 @@ struct Scene_library {
 };
 
 /// Returns the scene libraries that the program was built with.
-std::vector<Scene_library> scene_libraries();
-
-/// FCL's DynamicAABBTreeCollisionManager over its trees of oriented boxes with swept spheres.
-std::unique_ptr<Scene_peer> prepare_fcl_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of);
-
-/// Bullet's btDbvtBroadphase over GImpact meshes without a margin, in float.
-std::unique_ptr<Scene_peer> prepare_bullet_scene(const std::vector<Peer_mesh>& meshes,
-                                                 const std::vector<std::size_t>& of);
-
-/// ODE's hash space over its trimeshes.
-std::unique_ptr<Scene_peer> prepare_ode_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of);
+const std::vector<Scene_library>& scene_libraries();
 
 }  // namespace tetracone::experiments
 

@@ -1,23 +1,18 @@
 #include "experiments/peers/subject_command.h"
 
-#include "experiments/peers/command_process.h"
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/truth/moving_bodies_truth.h"
 
-#include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -257,43 +252,37 @@ class Running_command : public verify::Running_subject {
   Program program_;
 };
 
-/// Asked where a point is.
-class Running_command_points : public verify::Running_points {
+/// Asked about a body by `answer(program, case)`.
+template <class Answer, verify::Told<Answer> (*answer)(Program& program, const verify::Probe_case& c)>
+class Running_command_probes : public verify::Running<verify::Probe_case, Answer> {
  public:
-  explicit Running_command_points(Program program) : program_(std::move(program)) {}
+  explicit Running_command_probes(Program program) : program_(std::move(program)) {}
 
-  verify::Told<int> operator()(const verify::Probe_case& c) override
-  {
-    const Reply reply = program_.ask(Kind::inside, {c.body}, [&](std::uint64_t ask, const auto& numbers) {
-      return subject_lines::inside(ask, numbers[0], c.from);
-    });
-    return {*reply.outcome, int(reply.value), program_.spent()};
-  }
+  verify::Told<Answer> operator()(const verify::Probe_case& c) override { return answer(program_, c); }
 
  private:
   Program program_;
 };
 
-/// Asked where a ray first meets the surface.
-class Running_command_rays : public verify::Running_rays {
- public:
-  explicit Running_command_rays(Program program) : program_(std::move(program)) {}
+verify::Told<int> place_of(Program& program, const verify::Probe_case& c)
+{
+  const Reply reply = program.ask(Kind::inside, {c.body}, [&](std::uint64_t ask, const auto& numbers) {
+    return subject_lines::inside(ask, numbers[0], c.from);
+  });
+  return {*reply.outcome, int(reply.value), program.spent()};
+}
 
-  verify::Told<verify::Ray_answer> operator()(const verify::Probe_case& c) override
-  {
-    const Reply reply = program_.ask(Kind::ray, {c.body}, [&](std::uint64_t ask, const auto& numbers) {
-      return subject_lines::ray(ask, numbers[0], c.from, c.direction);
-    });
-    verify::Ray_answer answer;
-    answer.is_first_t = true;
-    if (reply.outcome == Outcome::yes) answer.first = verify::Ray_hit{0, reply.value};
-    // That a ray meets nothing is an answer, too.
-    return {reply.outcome == Outcome::no ? Outcome::yes : *reply.outcome, answer, program_.spent()};
-  }
-
- private:
-  Program program_;
-};
+verify::Told<verify::Ray_answer> first_hit_of(Program& program, const verify::Probe_case& c)
+{
+  const Reply reply = program.ask(Kind::ray, {c.body}, [&](std::uint64_t ask, const auto& numbers) {
+    return subject_lines::ray(ask, numbers[0], c.from, c.direction);
+  });
+  verify::Ray_answer answer;
+  answer.is_first_t = true;
+  if (reply.outcome == Outcome::yes) answer.first = verify::Ray_hit{0, reply.value};
+  // That a ray meets nothing is an answer, too.
+  return {reply.outcome == Outcome::no ? Outcome::yes : *reply.outcome, answer, program.spent()};
+}
 
 /// Asked when two bodies first meet in a linear motion. A rigid motion that does not turn is linear.
 class Running_command_motion : public verify::Running_motion {
@@ -402,12 +391,13 @@ bool tells_distances(const verify::Object_subject& subject)
 std::optional<verify::Point_subject> point_command(const verify::Object_subject& subject,
                                                    std::chrono::milliseconds limit)
 {
-  return of_kind<Running_command_points, verify::Point_subject>(Kind::inside, subject, limit);
+  return of_kind<Running_command_probes<int, place_of>, verify::Point_subject>(Kind::inside, subject, limit);
 }
 
 std::optional<verify::Ray_subject> ray_command(const verify::Object_subject& subject, std::chrono::milliseconds limit)
 {
-  return of_kind<Running_command_rays, verify::Ray_subject>(Kind::ray, subject, limit);
+  return of_kind<Running_command_probes<verify::Ray_answer, first_hit_of>, verify::Ray_subject>(Kind::ray, subject,
+                                                                                                limit);
 }
 
 std::optional<verify::Moving_bodies_subject> motion_command(const verify::Object_subject& subject,

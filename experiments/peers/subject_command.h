@@ -3,13 +3,8 @@
 
 #include "experiments/peers/subject_lines.h"
 #include "verify/subjects/moving_bodies_subject.h"
-#include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/subjects/probe_subject.h"
-
-#include <chrono>
-#include <optional>
-#include <string>
 
 namespace tetracone::experiments {
 

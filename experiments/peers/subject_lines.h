@@ -8,12 +8,7 @@
 #include "verify/cases/case.h"
 #include "verify/subjects/object_subject.h"
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
 
 /// The lines of the subject protocol, experiments/subjects/README.md: one JSON object each. Numbers are shortest
 /// decimals of doubles; other rationals are strings "n/d".

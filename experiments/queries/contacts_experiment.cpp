@@ -2,19 +2,7 @@
 
 #include "experiments/peers/fcl.h"
 #include "experiments/speed/benchmark_workload.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <functional>
-#include <iterator>
-#include <limits>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -67,34 +55,21 @@ std::vector<Lister> listers(const Race_course& course, Query& query)
   return all;
 }
 
-std::size_t missing(const std::vector<Face_pair>& from, const std::vector<Face_pair>& in)
-{
-  std::vector<Face_pair> rest;
-  std::ranges::set_difference(in, from, std::back_inserter(rest));
-  return rest.size();
-}
-
 /// Takes the fastest time of each pose over all passes, in which the methods take turns. Then compares what they list.
 void race(std::vector<Lister>& all, const std::vector<kernel::Pose>& poses, int passes)
 {
-  std::vector<std::vector<double>> fastest(all.size(),
-                                           std::vector<double>(poses.size(), std::numeric_limits<double>::infinity()));
   std::size_t found = 0;
-  for (int pass = 0; pass < passes; ++pass)
-    for (std::size_t s = 0; s < all.size(); ++s)
-      for (std::size_t k = 0; k < poses.size(); ++k) {
-        const Stopwatch watch;
-        found += all[s].list(poses[k]);
-        fastest[s][k] = std::min(fastest[s][k], watch.nanoseconds());
-      }
-  for (std::size_t s = 0; s < all.size(); ++s)
-    for (std::size_t k = 0; k < poses.size(); ++k) {
-      all[s].total_ns += fastest[s][k];
-      const auto truth = all[0].pairs(poses[k]), listed = all[s].pairs(poses[k]);
+  const auto fastest = fastest_times(all.size(), poses.size(), passes,
+                                     [&](std::size_t s, std::size_t k) { found += all[s].list(poses[k]); });
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    all[s].total_ns = sum_of(fastest[s]);
+    for (const kernel::Pose& pose : poses) {
+      const auto truth = all[0].pairs(pose), listed = all[s].pairs(pose);
       all[s].pair_count += listed.size();
       all[s].lost += missing(listed, truth);
       all[s].invented += missing(truth, listed);
     }
+  }
   if (found == 0) std::fprintf(stderr, "no contact in any pose\n");
 }
 
@@ -103,7 +78,6 @@ void race(std::vector<Lister>& all, const std::vector<kernel::Pose>& poses, int 
 void run_contacts(const Experiment_options& options)
 {
   constexpr int passes = 15;
-  make_folder(options.out);
   Race_objects objects(options.models);
   Csv_table table;
   std::printf("%-28s %-26s %6s %9s %10s %6s %8s %7s\n", "trajectory", "method", "poses", "pairs", "us a pose", "lost",

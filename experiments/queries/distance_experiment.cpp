@@ -1,22 +1,13 @@
 #include "experiments/queries/experiments.h"
 
 #include "experiments/peers/fcl.h"
-#include "experiments/speed/trajectory.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
+#include "experiments/speed/benchmark_workload.h"
+#include "experiments/support/extent.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -36,30 +27,19 @@ double ulps_between(double x, double y)
   return double(std::abs(place(x) - place(y)));
 }
 
-/// The fastest time of each pose, in nanoseconds, and the answers of the first pass.
+/// The mean of the fastest times of the poses, in nanoseconds, and the answers.
 struct Timed_distances {
-  std::vector<double> fastest, answers;
-
-  double mean_ns() const
-  {
-    double sum = 0;
-    for (const double ns : fastest) sum += ns;
-    return sum / double(fastest.size());
-  }
+  double mean_ns;
+  std::vector<double> answers;
 };
 
 Timed_distances time_distances(const Distance_course& course, int passes,
                                const std::function<double(const kernel::Pose&)>& question)
 {
-  Timed_distances asked{std::vector<double>(course.poses.size(), HUGE_VAL), {}};
-  for (int pass = 0; pass < passes; ++pass)
-    for (std::size_t k = 0; k < course.poses.size(); ++k) {
-      const Stopwatch watch;
-      const double answer = question(course.poses[k]);
-      asked.fastest[k] = std::min(asked.fastest[k], watch.nanoseconds());
-      if (pass == 0) asked.answers.push_back(answer);
-    }
-  return asked;
+  std::vector<double> answers(course.poses.size());
+  const auto fastest = fastest_times(1, answers.size(), passes,
+                                     [&](std::size_t, std::size_t k) { answers[k] = question(course.poses[k]); });
+  return {mean_of(fastest[0]), std::move(answers)};
 }
 
 void add_distances(Csv_table& table, const Distance_course& course, const std::string& subject,
@@ -82,7 +62,7 @@ void add_distances(Csv_table& table, const Distance_course& course, const std::s
                 .add("subject", subject)
                 .add("question", question)
                 .add("poses", truth.size())
-                .add("mean_ns", asked.mean_ns())
+                .add("mean_ns", asked.mean_ns)
                 .add("mean_ulps", total / double(truth.size()))
                 .add("most_ulps", most)
                 .add("apart", apart)
@@ -91,7 +71,7 @@ void add_distances(Csv_table& table, const Distance_course& course, const std::s
                 .add("positive_touching", positive_touching)
                 .add_origin(seed));
   std::printf("%-9s %6zu  %-20s %-9s %10.0f ns  most %9.3g ulps, 0 of %zu apart: %zu, above 0 of %zu touching: %zu\n",
-              course.trajectory.c_str(), course.body.face_count(), subject.c_str(), question.c_str(), asked.mean_ns(),
+              course.trajectory.c_str(), course.body.face_count(), subject.c_str(), question.c_str(), asked.mean_ns,
               most, apart, zero_apart, touching, positive_touching);
 }
 
@@ -110,30 +90,21 @@ void run_course(Csv_table& table, Distance_course course, int passes, std::uint6
       time_distances(course, passes, [&](const kernel::Pose& pose) { return in_double.distance(unmoved, pose); }),
       course.exact, seed);
 
-  // A tenth of the largest extent.
-  double size = 0;
-  for (int k = 0; k < 3; ++k) {
-    const auto [low, high] = std::ranges::minmax_element(course.body.vertices, {}, [k](const auto& v) { return v[k]; });
-    size = std::max(size, (*high)[k] - (*low)[k]);
-  }
-  const std::string limit = kernel::shortest(size / 10);
+  const double near = extent_of(course.body).longest_side() / 10;
+  const std::string limit = kernel::shortest(near);
   std::vector<double> is_within;
-  for (const double d : course.exact) is_within.push_back(d <= size / 10);
+  for (const double d : course.exact) is_within.push_back(d <= near);
   add_distances(table, course, "tetracone adaptive", "within",
                 time_distances(course, passes,
                                [&](const kernel::Pose& pose) { return double(exact.within(unmoved, pose, limit)); }),
                 is_within, seed);
 
   const auto mesh = peer_mesh(course.body);
-  using Make = std::unique_ptr<Distance_peer> (*)(const Peer_mesh&, const Peer_mesh&);
-  for (const auto& [name, make] : {std::pair<const char*, Make>("fcl OBBRSS", fcl_obbrss_distance),
-                                   std::pair<const char*, Make>("fcl RSS", fcl_rss_distance)}) {
+  for (const auto& [name, make] : distance_peers()) {
     const auto peer = make(*mesh, *mesh);
-    if (!peer) continue;
-    add_distances(
-        table, course, name, "distance",
-        time_distances(course, passes, [&](const kernel::Pose& pose) { return peer->distance(unmoved, pose); }),
-        course.exact, seed);
+    add_distances(table, course, name, "distance",
+                  time_distances(course, passes, [&](const kernel::Pose& pose) { return peer(unmoved, pose); }),
+                  course.exact, seed);
   }
 }
 
@@ -141,14 +112,7 @@ void run_course(Csv_table& table, Distance_course course, int passes, std::uint6
 /// from it, shifted sideways, so that the distance is known.
 Distance_course gaps(int frames, std::uint64_t seed)
 {
-  Distance_course course{"gaps", {}, {}, {}};
-  const covering::Polyhedron cube = verify::unit_cube();
-  course.body.vertices = cube.vertices;
-  for (covering::Index f = 0; f < cube.face_count(); ++f) {
-    const auto loop = cube.loop(f, 0);
-    course.body.add_polygon({loop[0], loop[1], loop[2]});
-    course.body.add_polygon({loop[0], loop[2], loop[3]});
-  }
+  Distance_course course{"gaps", triangulated(verify::unit_cube()), {}, {}};
   verify::Random random(seed);
   for (int k = 0; k < frames; ++k) {
     const double x = k % 2 == 0 ? 1 : 1 + std::ldexp(1.0, -(k / 2 % 52) - 1);
@@ -164,7 +128,6 @@ void run_distance(const Experiment_options& options)
 {
   const int frames = options.race_frames;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   Csv_table table;
   std::vector<std::size_t> sizes = {7172};
   if (options.full) sizes.push_back(71000);

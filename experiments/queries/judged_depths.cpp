@@ -12,15 +12,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <exception>
 #include <functional>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -157,21 +151,19 @@ std::string judged_depths(int pairs, std::uint64_t seed)
     }
     for (std::size_t p = 0; p < judged.size(); ++p) {
       const Judged& each = judged[p];
-      Csv_row row;
-      row.add("shape", shape.name)
-          .add("peer", depth_peers()[p].name)
-          .add("pairs", each.asked)
-          .add("apart", each.apart)
-          .add("failed", each.failed)
-          .add("infinite", each.infinite)
-          .add("negative", each.negative)
-          .add("off_millionth", each.off_millionth)
-          .add("off_hundredth", each.off_hundredth);
-      if (each.above_zero() > 0)
-        row.add("mean_off", each.sum_off / each.above_zero());
-      else
-        row.none("mean_off");
-      table.add(row.add("most_off", each.most_off)
+      const int above_zero = each.above_zero();
+      table.add(Csv_row()
+                    .add("shape", shape.name)
+                    .add("peer", depth_peers()[p].name)
+                    .add("pairs", each.asked)
+                    .add("apart", each.apart)
+                    .add("failed", each.failed)
+                    .add("infinite", each.infinite)
+                    .add("negative", each.negative)
+                    .add("off_millionth", each.off_millionth)
+                    .add("off_hundredth", each.off_hundredth)
+                    .add("mean_off", above_zero > 0 ? std::optional(each.sum_off / above_zero) : std::nullopt)
+                    .add("most_off", each.most_off)
                     .add("ns", each.ns / each.asked)
                     .add("exact_ns", exact_ns / pairs)
                     .add_origin(seed));

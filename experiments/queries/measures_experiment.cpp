@@ -3,27 +3,12 @@
 #include "experiments/queries/points_truth.h"
 #include "experiments/queries/touching.h"
 #include "experiments/speed/benchmark_workload.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/object_placing.h"
-#include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdio>
-#include <functional>
-#include <iterator>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -46,21 +31,10 @@ class Measures {
   void race(const std::string& question, const std::string& object, std::size_t triangles, std::size_t count,
             const std::vector<Way>& ways, int passes)
   {
-    std::vector<std::vector<double>> fastest(ways.size(),
-                                             std::vector<double>(count, std::numeric_limits<double>::infinity()));
-    for (int pass = 0; pass < passes; ++pass)
-      for (std::size_t w = 0; w < ways.size(); ++w)
-        for (std::size_t k = 0; k < count; ++k) {
-          const Stopwatch watch;
-          ways[w].ask(k);
-          fastest[w][k] = std::min(fastest[w][k], watch.nanoseconds());
-        }
     std::vector<double> mean;
-    for (const auto& times : fastest) {
-      double sum = 0;
-      for (const double ns : times) sum += ns;
-      mean.push_back(sum / double(count));
-    }
+    for (const auto& times :
+         fastest_times(ways.size(), count, passes, [&](std::size_t w, std::size_t k) { ways[w].ask(k); }))
+      mean.push_back(mean_of(times));
     for (std::size_t w = 0; w < ways.size(); ++w) {
       table_.add(Csv_row()
                      .add("question", question)
@@ -165,7 +139,6 @@ void race_self_intersections(Measures& measures, const std::string& name, const 
 
 void run_measures(const Experiment_options& options)
 {
-  make_folder(options.out);
   Race_objects objects("");
   Measures measures(options.seed);
   verify::Random random(options.seed);

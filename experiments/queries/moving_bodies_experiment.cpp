@@ -1,24 +1,11 @@
 #include "experiments/queries/experiments.h"
 
 #include "experiments/peers/fcl.h"
-#include "experiments/speed/trajectory.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
+#include "experiments/speed/benchmark_workload.h"
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
-
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -127,15 +114,14 @@ void run_course(Csv_table& table, const Motion_course& course, std::uint64_t see
                 ours.told, static_ns, seed);
 
   const auto mesh_a = peer_mesh(course.a), mesh_b = peer_mesh(course.b);
-  using Make = std::unique_ptr<Motion_peer> (*)(const Peer_mesh&, const Peer_mesh&);
-  for (const auto& [name, make] : {std::pair<const char*, Make>("fcl advancement", fcl_advancement),
-                                   std::pair<const char*, Make>("fcl steps", fcl_steps)})
-    if (const auto peer = make(*mesh_a, *mesh_b))
-      add_motions(
-          table, course, name,
-          time_motions(course, &ours.told,
-                       [&](std::size_t k) { return peer->first_contact(course.ends[k][0], course.ends[k][1]); }),
-          ours.told, static_ns, seed);
+  for (const Named_motion_peer& named : motion_peers()) {
+    const auto peer = named.make(*mesh_a, *mesh_b);
+    const std::string name = "fcl" + std::string(named.name).substr(3);  // the table's names are in small letters
+    add_motions(
+        table, course, name,
+        time_motions(course, &ours.told, [&](std::size_t k) { return peer(course.ends[k][0], course.ends[k][1]); }),
+        ours.told, static_ns, seed);
+  }
 }
 
 /// Returns the motions from each frame to the next.
@@ -160,17 +146,6 @@ Motion_course throws(const std::string& name, const covering::Polyhedron& a, con
   return course;
 }
 
-covering::Polyhedron triangulated(const covering::Polyhedron& body)
-{
-  covering::Polyhedron result;
-  result.vertices = body.vertices;
-  for (covering::Index f = 0; f < body.face_count(); ++f) {
-    const auto loop = body.loop(f, 0);
-    for (std::size_t k = 2; k < loop.size(); ++k) result.add_polygon({loop[0], loop[k - 1], loop[k]});
-  }
-  return result;
-}
-
 /// Seven numbers of a rigid pose.
 using Rigid = std::array<double, 7>;
 
@@ -186,22 +161,13 @@ std::vector<Landing> ways_to_land()
   // Tilted by a thousandth about an axis that is aslant to all edges: one corner lands first.
   const Rigid still = {1, 0, 0, 0, 0, 0, 0}, flat = {1, 0, 0, 0, 0.25, 0.125, 1},
               tilted = {1, 0.0004, 0.0003, 0.0001, 0.25, 0.125, 1};
-  const auto pose_of = [](const Rigid& rigid) {
-    return kernel::Pose(kernel::Body_motion::rigid({{rigid[0], rigid[1], rigid[2], rigid[3]}, {}},
-                                                   {{rigid[0], rigid[1], rigid[2], rigid[3]}, {}})
-                            ->at(0)
-                            .entries());
-  };
-  const auto at = [](kernel::Pose pose, double z) {
-    std::array<double, 12> entries = pose.entries();
-    entries[3] = 0.25;
-    entries[7] = 0.125;
-    entries[11] = z;
-    return kernel::Pose(entries);
-  };
-  const auto falls = [&](const Rigid& from) {
-    const kernel::Pose turned = pose_of(from);
-    return Motion(kernel::Body_motion::linear(at(turned, 1), at(turned, -2)));
+  const auto falls = [](const Rigid& from) {
+    const kernel::Rigid_pose turned = {{from[0], from[1], from[2], from[3]}, {}};
+    std::array<double, 12> top = kernel::Body_motion::rigid(turned, turned)->at(0).entries();
+    for (std::size_t i = 0; i < 3; ++i) top[4 * i + 3] = from[4 + i];
+    std::array<double, 12> bottom = top;
+    bottom[11] = -2;
+    return Motion(kernel::Body_motion::linear(kernel::Pose(top), kernel::Pose(bottom)));
   };
   const auto sinks = [](Rigid from, double turn) {
     Rigid to = from;
@@ -230,28 +196,24 @@ void run_landings(const std::filesystem::path& out, std::uint64_t seed)
       below.make_all();
       Query query(below, falling, Question::surface);
       for (const Landing& landing : ways_to_land()) {
-        std::array<double, 2> least{};
         std::array<std::optional<First_contact>, 2> first;
-        for (int repeat = 0; repeat < repeats; ++repeat)
-          for (std::size_t k = 0; k < 2; ++k) {
-            const Stopwatch watch;
-            first[k] = query.first_contact(landing.still, landing.moves[k]);
-            const double us = 1e-3 * watch.nanoseconds();
-            least[k] = repeat == 0 ? us : std::min(least[k], us);
-          }
+        const auto least = fastest_times(2, 1, repeats, [&](std::size_t k, std::size_t) {
+          first[k] = query.first_contact(landing.still, landing.moves[k]);
+        });
+        const double flat = 1e-3 * least[0][0], tilted = 1e-3 * least[1][0];
         table.add(Csv_row()
                       .add("triangles", falling.polyhedron().face_count())
                       .add("on", std::string(on_like ? "its like" : "a table"))
                       .add("motion", std::string(landing.name))
                       .add("flat_lo", first[0] ? first[0]->lo : -1)
                       .add("tilted_lo", first[1] ? first[1]->lo : -1)
-                      .add("flat_us", least[0])
-                      .add("tilted_us", least[1])
-                      .add("flat_in_tilted", least[0] / least[1])
+                      .add("flat_us", flat)
+                      .add("tilted_us", tilted)
+                      .add("flat_in_tilted", flat / tilted)
                       .add_origin(seed));
         std::printf("%6zu triangles on %-8s %-8s flat %9.1f us, tilted %9.1f us\n",
                     std::size_t(falling.polyhedron().face_count()), on_like ? "its like" : "a table", landing.name,
-                    least[0], least[1]);
+                    flat, tilted);
       }
     }
   }
@@ -264,7 +226,6 @@ void run_moving_bodies(const Experiment_options& options)
 {
   const int motions = options.race_frames;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   Csv_table table;
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body body(object);

@@ -1,22 +1,12 @@
 #include "experiments/queries/experiments.h"
 
 #include "experiments/queries/judged_depths.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <string>
 #include <tuple>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -57,6 +47,12 @@ struct Timed {
     total += ns;
     most = std::max(most, ns);
   }
+  void add(double ns, const Depth& depth)
+  {
+    add(ns);
+    exact += depth.is_exact;
+    width += (depth.high - depth.low) / depth.high;
+  }
 };
 
 void add_row(Csv_table& table, std::size_t triangles, const std::string& place, const std::string& question,
@@ -86,9 +82,7 @@ void add_widths(Csv_table& table, Query& query, std::size_t triangles, const std
     for (const Stand& stand : all) {
       const Stopwatch watch;
       const Depth depth = query.depth(stand.pose, Pose(), {.relative = 0, .budget = budget});
-      timed.add(watch.nanoseconds());
-      timed.exact += depth.is_exact;
-      timed.width += (depth.high - depth.low) / depth.high;
+      timed.add(watch.nanoseconds(), depth);
     }
     const double count = double(all.size());
     table.add(Csv_row()
@@ -107,7 +101,6 @@ void add_widths(Csv_table& table, Query& query, std::size_t triangles, const std
 
 void run_penetration(const Experiment_options& options)
 {
-  make_folder(options.out);
   Csv_table table, widths;
   std::vector<std::size_t> sizes = {200, 1000};
   if (options.full) sizes.push_back(7172);
@@ -132,9 +125,7 @@ void run_penetration(const Experiment_options& options)
         contacts.add(watch.nanoseconds());
         watch = Stopwatch();
         const Depth depth = query.depth(pose, Pose(), {relative});
-        depths.add(watch.nanoseconds());
-        depths.exact += depth.is_exact;
-        depths.width += (depth.high - depth.low) / depth.high;
+        depths.add(watch.nanoseconds(), depth);
       }
       exits.exact = contacts.exact = all.size();
       add_row(table, body.polyhedron().face_count(), place, "exit", all.size(), exits, options.seed);

@@ -2,30 +2,17 @@
 
 #include "experiments/queries/points_truth.h"
 #include "experiments/speed/benchmark_workload.h"
-#include "experiments/support/csv_row.h"
 #include "experiments/support/model_file.h"
-#include "experiments/support/output_file.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/write.h"
 #include "tetracone/kernel/predicate/kernels.h"
-#include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/paper/placed_tree.h"
-#include "verify/cases/random.h"
 
 #include <CGAL/Side_of_triangle_mesh.h>
 
 #include <malloc.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
 #include <ctime>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -275,7 +262,6 @@ void run_points(const Experiment_options& options)
 {
   const int count = options.full ? 20 * options.points : options.points;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   std::vector<std::pair<std::string, covering::Polyhedron>> bodies;
   Race_objects objects("");
   for (const std::size_t triangles : {std::size_t(7000), std::size_t(70000)})

@@ -1,7 +1,7 @@
 #ifndef TETRACONE_EXPERIMENTS_QUERIES_POINTS_TRUTH_H
 #define TETRACONE_EXPERIMENTS_QUERIES_POINTS_TRUTH_H
 
-#include "tetracone/covering/polyhedron.h"
+#include "experiments/support/extent.h"
 #include "tetracone/tetratree/ray_hit.h"
 #include "verify/cases/random.h"
 #include "verify/truth/cgal_truth.h"
@@ -16,10 +16,7 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -40,14 +37,8 @@ inline std::vector<std::array<double, 3>> points_of(const covering::Polyhedron& 
                                                     verify::Random& random)
 {
   using Point = std::array<double, 3>;
-  Point low = body.vertices[0], high = low;
-  for (const auto& v : body.vertices)
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], v[k]);
-      high[k] = std::max(high[k], v[k]);
-    }
-  double half = 0;
-  for (int k = 0; k < 3; ++k) half = std::max(half, (high[k] - low[k]) / 2);
+  const auto [low, high] = extent_of(body);
+  const double half = extent_of(body).longest_side() / 2;
   std::vector<Point> points;
   for (int n = 0; n < count; ++n) {
     Point p;
@@ -72,14 +63,9 @@ class Column_truth {
   using Point = std::array<double, 3>;
 
   /// Requires triangles.
-  explicit Column_truth(const covering::Polyhedron& mesh) : mesh_(&mesh), body_(mesh), placed_(body_, kernel::Pose())
+  explicit Column_truth(const covering::Polyhedron& mesh)
+      : mesh_(&mesh), body_(mesh), placed_(body_, kernel::Pose()), extent_(extent_of(mesh))
   {
-    low_ = high_ = {mesh.vertices[0][0], mesh.vertices[0][1]};
-    for (const auto& v : mesh.vertices)
-      for (int k = 0; k < 2; ++k) {
-        low_[k] = std::min(low_[k], v[k]);
-        high_[k] = std::max(high_[k], v[k]);
-      }
     side_ = std::clamp(int(std::sqrt(double(mesh.face_count()) / 4)), 1, 1000);
     columns_.resize(std::size_t(side_) * std::size_t(side_));
     for (covering::Index f = 0; f < mesh.face_count(); ++f) {
@@ -98,7 +84,7 @@ class Column_truth {
   long operator()(const Point& p) const
   {
     for (int k = 0; k < 2; ++k)
-      if (p[k] < low_[k] || p[k] > high_[k]) return -1;
+      if (p[k] < extent_.low[k] || p[k] > extent_.high[k]) return -1;
     const auto in_plane = [](const Point& v) { return Exact_predicates::Point_2(v[0], v[1]); };
     const auto in_space = [](const Point& v) { return Exact_predicates::Point_3(v[0], v[1], v[2]); };
     int winding = 0;
@@ -131,14 +117,15 @@ class Column_truth {
   /// Returns the grid's cell of x along an axis, which is monotone in x under rounding.
   int place(double x, int axis) const
   {
-    return std::clamp(int((x - low_[axis]) / (high_[axis] - low_[axis]) * side_), 0, side_ - 1);
+    const double low = extent_.low[axis], high = extent_.high[axis];
+    return std::clamp(int((x - low) / (high - low) * side_), 0, side_ - 1);
   }
 
   const covering::Polyhedron* mesh_;
   verify::Brute_body body_;
   verify::Placed_body placed_;
   std::optional<verify::Brute_body> dot_;
-  std::array<double, 2> low_, high_;
+  Extent extent_;
   int side_;
   std::vector<std::vector<covering::Index>> columns_;
 };

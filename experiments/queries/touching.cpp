@@ -7,13 +7,9 @@
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
-#include <array>
-#include <cmath>
 #include <functional>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

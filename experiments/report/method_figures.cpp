@@ -1,18 +1,11 @@
 #include "experiments/report/method_figures.h"
 
-#include "experiments/support/draw.h"
-#include "experiments/support/output_file.h"
+#include "experiments/support/experiment.h"
 #include "experiments/viewer/view_data.h"
-#include "experiments/viewer/view_scene.h"
 #include "tetracone/tetratree/paper/tetra_tree.h"
 #include "verify/cases/shape_generators.h"
 
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

@@ -1,17 +1,8 @@
 #include "experiments/scenes/experiments.h"
 
 #include "experiments/scenes/scene_workload.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
+#include "experiments/support/extent.h"
 #include "tetracone/tetratree/scene/scene.h"
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <iterator>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -79,30 +70,18 @@ double median(std::vector<double> values)
   return *middle;
 }
 
-/// The longest side of a model's box, the largest of all models.
-double size_of(const std::vector<Body>& bodies)
-{
-  double size = 0;
-  for (const Body& body : bodies)
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] =
-          std::ranges::minmax(body.polyhedron().vertices, {}, [k](const kernel::Vertex& v) { return v[k]; });
-      size = std::max(size, high[k] - low[k]);
-    }
-  return size;
-}
-
 }  // namespace
 
 void run_budget(const Experiment_options& options)
 {
   const auto frames = std::size_t(std::max(2, options.race_frames / 20));
-  make_folder(options.out);
   const Scene_workload work = scene_workload("brownian", "blob", 1000, frames, options.seed);
   std::vector<Body> bodies;
   for (const auto& model : work.models) bodies.emplace_back(model).make_all();
   play(work, bodies, true, {}, nullptr);  // a first time is longer, by what the system gives memory for
-  const double size = size_of(bodies), unit = median(play(work, bodies, true, {}, nullptr).ns);
+  double size = 0;
+  for (const auto& model : work.models) size = std::max(size, extent_of(model).longest_side());
+  const double unit = median(play(work, bodies, true, {}, nullptr).ns);
   Csv_table table;
   std::printf("%-8s %10s %11s %9s %9s %10s %6s %8s %9s\n", "frames", "budget us", "of a frame", "frame us", "decided",
               "undecided", "wrong", "farther", "farthest");

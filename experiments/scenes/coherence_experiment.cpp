@@ -1,16 +1,8 @@
 #include "experiments/scenes/experiments.h"
 
 #include "experiments/speed/trajectory.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/shape_generators.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -100,7 +92,6 @@ void run_coherence(const Experiment_options& options)
 {
   const int frames = options.race_frames;
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body body(object);
   body.make_all();

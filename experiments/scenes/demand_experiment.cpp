@@ -1,15 +1,9 @@
 #include "experiments/scenes/experiments.h"
 
 #include "experiments/scenes/scene_workload.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/scene/scene.h"
-
-#include <cstdio>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -75,7 +69,6 @@ double share(std::size_t part, std::size_t whole) { return 100 * double(part) / 
 void run_demand(const Experiment_options& options)
 {
   const auto frames = std::size_t(std::max(2, options.race_frames / 10));
-  make_folder(options.out);
   const Scene_workload work = scene_workload("gravity", "large", 200, frames, options.seed);
   Timed_scene asked(work), first(work);
   first.make_all();

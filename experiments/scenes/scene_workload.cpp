@@ -1,11 +1,12 @@
 #include "experiments/scenes/scene_workload.h"
 
+#include "experiments/speed/benchmark_workload.h"
+#include "tetracone/kernel/number/products.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
 #include <array>
 #include <cmath>
-#include <map>
 
 namespace tetracone::experiments {
 namespace {
@@ -31,15 +32,14 @@ Polyhedron ball()
         p[(k + 1) % 3] = t;
         points.push_back(p);
       }
-  const auto square = [&](std::size_t a, std::size_t b) {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) sum += (points[a][k] - points[b][k]) * (points[a][k] - points[b][k]);
-    return sum;
+  const auto are_near = [&](std::size_t a, std::size_t b) {
+    const Vector way = kernel::difference(points[a], points[b]);
+    return kernel::dot(way, way) <= 4.1;
   };
   Polyhedron ball;
   std::map<std::pair<Index, Index>, Index> middle;
   const auto add = [&ball](const Vector& p) {
-    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    const double length = std::sqrt(kernel::dot(p, p));
     ball.vertices.push_back({p[0] / length, p[1] / length, p[2] / length});
     return Index(ball.vertices.size() - 1);
   };
@@ -53,30 +53,14 @@ Polyhedron ball()
   for (Index a = 0; a < 12; ++a)
     for (Index b = a + 1; b < 12; ++b)
       for (Index c = b + 1; c < 12; ++c) {
-        if (square(a, b) > 4.1 || square(b, c) > 4.1 || square(a, c) > 4.1) continue;
-        const Vector &p = points[a], &q = points[b], &r = points[c];
-        const double volume = p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
-                              p[2] * (q[0] * r[1] - q[1] * r[0]);
-        const Index second = volume > 0 ? b : c, third = volume > 0 ? c : b;
+        if (!are_near(a, b) || !are_near(b, c) || !are_near(a, c)) continue;
+        const bool is_outward = kernel::determinant(points[a], points[b], points[c]) > 0;
+        const Index second = is_outward ? b : c, third = is_outward ? c : b;
         const Index ab = between(a, second), bc = between(second, third), ca = between(third, a);
         for (const auto& t : {std::array{a, ab, ca}, {ab, second, bc}, {ca, bc, third}, {ab, bc, ca}})
           ball.add_polygon(t);
       }
   return ball;
-}
-
-/// A box, its squares halved.
-Polyhedron rod(double length)
-{
-  const Polyhedron box = verify::box({-length, -0.5, -0.5}, {length, 0.5, 0.5});
-  Polyhedron rod;
-  rod.vertices = box.vertices;
-  for (Index f = 0; f < box.face_count(); ++f) {
-    const auto loop = box.loop(f, 0);
-    rod.add_polygon({loop[0], loop[1], loop[2]});
-    rod.add_polygon({loop[0], loop[2], loop[3]});
-  }
-  return rod;
 }
 
 Pose pose_of(const std::array<double, 4>& q, const Vector& at)
@@ -127,7 +111,7 @@ Scene_workload scene_workload(const std::string& kind, const std::string& model,
   Random random(seed);
   Scene_workload scene{kind, model, {}, {}, {}};
   if (kind == "thin")
-    scene.models = {rod(10), rod(20)};
+    for (const double x : {10, 20}) scene.models.push_back(triangulated(verify::box({-x, -0.5, -0.5}, {x, 0.5, 0.5})));
   else if (model == "convex")
     scene.models = {ball()};
   else

@@ -2,25 +2,14 @@
 
 #include "experiments/peers/scene_peer.h"
 #include "experiments/scenes/scene_workload.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
+#include "experiments/support/extent.h"
 #include "tetracone/tetratree/scene/scene.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <iterator>
 #include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -74,8 +63,8 @@ class Boxes_of_cgal {
       for (int i = 0; i < 3; ++i) {
         double at = poses[k][4 * i + 3], reach = 0;
         for (int j = 0; j < 3; ++j) {
-          at += poses[k][4 * i + j] * extent.centre[j];
-          reach += std::abs(poses[k][4 * i + j]) * extent.half[j];
+          at += poses[k][4 * i + j] * ((extent.low[j] + extent.high[j]) / 2);
+          reach += std::abs(poses[k][4 * i + j]) * ((extent.high[j] - extent.low[j]) / 2);
         }
         low[i] = at - reach * (1 + 1e-9);
         high[i] = at + reach * (1 + 1e-9);
@@ -98,21 +87,6 @@ class Boxes_of_cgal {
 
  private:
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
-  struct Extent {
-    std::array<double, 3> centre, half;
-  };
-  static Extent extent_of(const Polyhedron& polyhedron)
-  {
-    Extent extent;
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] =
-          std::ranges::minmax(polyhedron.vertices, {}, [k](const kernel::Vertex& v) { return v[k]; });
-      extent.centre[k] = (low[k] + high[k]) / 2;
-      extent.half[k] = (high[k] - low[k]) / 2;
-    }
-    return extent;
-  }
-
   const Scene_workload& work_;
   std::vector<Body> bodies_;
   std::vector<Extent> boxes_;
@@ -146,13 +120,6 @@ Pairs truth(const std::vector<verify::Brute_body>& models, const Scene_workload&
     if (meet[k]) pairs.push_back(near[k]);
   std::ranges::sort(pairs);
   return pairs;
-}
-
-std::size_t missing(const Pairs& from, const Pairs& in)
-{
-  Pairs rest;
-  std::ranges::set_difference(in, from, std::back_inserter(rest));
-  return rest.size();
 }
 
 std::vector<Scene_contestant> contestants(const Scene_workload& work, const std::vector<Body>& bodies)
@@ -241,7 +208,6 @@ void run_scene(const Scene_workload& work, Csv_table& table, std::uint64_t seed)
 void run_scenes(const Experiment_options& options)
 {
   const auto frames = std::size_t(std::max(2, options.race_frames / 20));
-  make_folder(options.out);
   Csv_table table;
   std::printf("%-9s %-7s %7s %-26s %11s %11s %9s %10s %8s %6s %8s\n", "scene", "model", "bodies", "method",
               "us a frame", "first us", "ratio", "candidates", "pairs", "lost", "invented");

@@ -2,6 +2,7 @@
 
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
@@ -16,19 +17,6 @@ namespace {
 
 using kernel::Pose;
 using kernel::Question;
-
-/// Replaces each face by triangles.
-Polyhedron triangulated(const Polyhedron& polyhedron)
-{
-  Polyhedron result;
-  result.vertices = polyhedron.vertices;
-  for (const auto& triangle : covering::triangulate_faces(polyhedron))
-    result.add_polygon({triangle.corner[0], triangle.corner[1], triangle.corner[2]});
-  for (covering::Index f = 0; f < polyhedron.face_count(); ++f)
-    if (polyhedron.is_triangle(f))
-      result.add_polygon({polyhedron.loop(f, 0)[0], polyhedron.loop(f, 0)[1], polyhedron.loop(f, 0)[2]});
-  return result;
-}
 
 Polyhedron scaled(Polyhedron polyhedron, double factor)
 {
@@ -86,6 +74,19 @@ std::string Race_course::name() const
   return text;
 }
 
+Polyhedron triangulated(const Polyhedron& polyhedron)
+{
+  return covering::each_triangle_a_face(polyhedron, covering::triangulate_faces(polyhedron));
+}
+
+Polyhedron required(std::optional<Polyhedron> mesh, const std::filesystem::path& models)
+{
+  if (!mesh)
+    throw covering::Input_error(models.native(), 0, "the meshes of libcgal-demo are not there",
+                                "expected them: run experiments/support/fetch_models.sh");
+  return *std::move(mesh);
+}
+
 double star_share(const Polyhedron& polyhedron)
 {
   const Vertex centre = centroid(polyhedron);
@@ -93,15 +94,9 @@ double star_share(const Polyhedron& polyhedron)
   for (covering::Index f = 0; f < polyhedron.face_count(); ++f) {
     const auto loop = polyhedron.loop(f, 0);
     for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
-      std::array<Vertex, 3> p = {polyhedron.vertices[loop[0]], polyhedron.vertices[loop[k]],
-                                 polyhedron.vertices[loop[k + 1]]};
-      for (Vertex& v : p)
-        for (int i = 0; i < 3; ++i) v[i] -= centre[i];
-      const double volume = p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) -
-                            p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
-                            p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
+      const auto corner = [&](std::size_t i) { return kernel::difference(polyhedron.vertices[loop[i]], centre); };
+      positive += kernel::determinant(corner(0), corner(k), corner(k + 1)) > 0;
       ++corners;
-      positive += volume > 0;
     }
   }
   return corners == 0 ? 0 : double(positive) / double(corners);
@@ -109,21 +104,19 @@ double star_share(const Polyhedron& polyhedron)
 
 const Polyhedron& Race_objects::operator()(const std::string& name, std::size_t triangles)
 {
-  const auto [found, is_new] = made_.try_emplace({name, triangles});
-  if (!is_new) return found->second;
-  if (name == "blob") return found->second = blob(triangles, 1);
-  if (name == "knot") return found->second = round_torus_knot(triangles);
+  const auto found = made_.find({name, triangles});
+  if (found != made_.end()) return found->second;
+  const auto keep = [&](Polyhedron mesh) -> const Polyhedron& {
+    return made_.emplace(std::pair(name, triangles), std::move(mesh)).first->second;
+  };
+  if (name == "blob") return keep(blob(triangles, 1));
+  if (name == "knot") return keep(round_torus_knot(triangles));
   const char* file = name == "bunny"      ? "bunny00"
                      : name == "anchor"   ? "anchor_dense"
                      : name == "elephant" ? "refined_elephant"
                                           : name.c_str();
-  const auto mesh = demo_mesh(models_, file);
-  if (!mesh) {
-    made_.erase(found);
-    throw covering::Input_error(models_.native(), 0, "the meshes of libcgal-demo are not there",
-                                "expected them: run experiments/support/fetch_models.sh");
-  }
-  return found->second = normalised(triangles < mesh->face_count() ? decimate(*mesh, triangles) : *mesh);
+  const Polyhedron mesh = required(demo_mesh(models_, file), models_);
+  return keep(normalised(triangles < mesh.face_count() ? decimate(mesh, triangles) : mesh));
 }
 
 Race_course on_trajectory(const Polyhedron& object, const std::string& name, const std::string& trajectory,

@@ -2,16 +2,13 @@
 #define TETRACONE_EXPERIMENTS_SPEED_BENCHMARK_WORKLOAD_H
 
 #include "experiments/speed/trajectory.h"
-#include "tetracone/covering/polyhedron.h"
-#include "tetracone/kernel/number/pose.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 
@@ -28,6 +25,12 @@ struct Race_course {
   /// Returns the file name of its rows.
   std::string name() const;
 };
+
+/// Returns the polyhedron with each face of more than three corners replaced by triangles, where it has them.
+covering::Polyhedron triangulated(const covering::Polyhedron& polyhedron);
+
+/// Returns the mesh. Throws covering::Input_error, which names the folder `models`, where there is none.
+covering::Polyhedron required(std::optional<covering::Polyhedron> mesh, const std::filesystem::path& models);
 
 /// Returns the fraction of face corners whose tetrahedron with the centroid is positive: 1 when the body is star-shaped
 /// about it.

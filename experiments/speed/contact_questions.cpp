@@ -1,5 +1,6 @@
 #include "experiments/speed/contact_questions.h"
 
+#include "experiments/speed/benchmark_workload.h"
 #include "experiments/speed/contact_verdicts.h"
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/predicate/kernels.h"
@@ -9,18 +10,13 @@
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/families/probe_families.h"
-#include "verify/subjects/float_input.h"
 #include "verify/subjects/moving_bodies_subject.h"
-#include "verify/subjects/object_subject.h"
 #include "verify/subjects/probe_subject.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/point_truth.h"
 #include "verify/truth/ray_truth.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {
@@ -140,22 +136,12 @@ Contact_question distances(const Shared_workload& w)
   return asked;
 }
 
-/// Returns the body with its faces cut into triangles.
-covering::Polyhedron of_triangles(const covering::Polyhedron& body)
-{
-  covering::Polyhedron result;
-  result.vertices = body.vertices;
-  const verify::Triangles triangles = *verify::triangles_of(body);
-  for (const auto& [p, q, r] : triangles) result.add_polygon({p, q, r});
-  return result;
-}
-
 /// Contacts of triangles are decided by signs, those of other faces in rationals.
 Contact_question contacts_of_triangles(const Shared_workload& w)
 {
   Workload cut = *w;
-  cut.a = of_triangles(w->a);
-  cut.b = of_triangles(w->b);
+  cut.a = triangulated(w->a);
+  cut.b = triangulated(w->b);
   Contact_question asked = contacts(std::make_shared<const Workload>(std::move(cut)));
   asked.name = "contacts of triangles";
   return asked;

@@ -3,16 +3,6 @@
 
 #include "experiments/speed/contestant.h"
 #include "experiments/speed/workloads.h"
-#include "tetracone/tetratree/query_statistics.h"
-
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 /// What else than collisions is asked of bodies in exact contact, and near it.
 namespace tetracone::experiments {

@@ -7,7 +7,6 @@
 #include "tetracone/tetratree/query/bvh8_collision.h"
 
 #include <limits>
-#include <optional>
 
 namespace tetracone::experiments {
 namespace {

@@ -3,11 +3,9 @@
 
 #include "experiments/peers/prepared_pair.h"
 #include "tetracone/covering/polyhedron.h"
-#include "tetracone/tetratree/fast/bvh8_options.h"
 #include "tetracone/tetratree/paper/config.h"
 #include "verify/subjects/object_subject.h"
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>

@@ -1,6 +1,8 @@
 #include "experiments/speed/course_truth.h"
 
+#include "experiments/peers/peer_wire.h"
 #include "experiments/support/output_file.h"
+#include "experiments/support/sha256.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/text_lines.h"
 #include "verify/truth/cgal_truth.h"
@@ -9,50 +11,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <cstdio>
 #include <sstream>
 
 namespace tetracone::experiments {
 namespace {
 
 using kernel::Pose;
-
-/// A hash of 64 bits by the method of Fowler, Noll and Vo.
-class Hash {
- public:
-  void add(std::uint64_t word)
-  {
-    for (int byte = 0; byte < 8; ++byte) {
-      value_ ^= word >> (8 * byte) & 0xff;
-      value_ *= 0x100000001b3;
-    }
-  }
-  void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
-  void add(const covering::Polyhedron& body)
-  {
-    add(std::uint64_t(body.vertices.size()));
-    for (const auto& vertex : body.vertices)
-      for (const double x : vertex) add(x);
-    for (covering::Index f = 0; f < body.face_count(); ++f)
-      for (std::size_t k = 0; k < body.loop_count(f); ++k) {
-        add(std::uint64_t(body.loop(f, k).size()));
-        for (const covering::Index v : body.loop(f, k)) add(std::uint64_t(v));
-      }
-  }
-
-  std::string hexadecimal() const
-  {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value_));
-    return text;
-  }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325;
-};
 
 /// Both bodies of a course, prepared; each thread has a copy of the one that rests.
 class Truth_teller {
@@ -110,12 +74,12 @@ Course_truth read_truth(const std::filesystem::path& file, std::size_t most)
 
 std::string truth_file(const Race_course& course)
 {
-  Hash hash;
-  hash.add(course.a);
-  hash.add(course.b);
-  for (const Pose& pose : course.poses_b)
-    for (const double entry : pose.entries()) hash.add(entry);
-  return course.name() + "-" + hash.hexadecimal() + ".csv";
+  constexpr std::size_t digits = 16;  // 64 bits of the hash are enough for a name
+  std::string bytes;
+  wire::append(bytes, course.a);
+  wire::append(bytes, course.b);
+  for (const Pose& pose : course.poses_b) wire::append(bytes, pose.entries());
+  return course.name() + "-" + sha256(bytes).substr(0, digits) + ".csv";
 }
 
 Course_truth course_truth(const Race_course& course)

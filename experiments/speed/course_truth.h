@@ -4,10 +4,6 @@
 #include "experiments/speed/benchmark_workload.h"
 #include "tetracone/kernel/predicate/question.h"
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 namespace tetracone::experiments {
 
 /// The right answers of every pose of a course to both questions: 1 if the bodies share a point, else 0.

@@ -1,7 +1,7 @@
 #ifndef TETRACONE_EXPERIMENTS_SPEED_EXPERIMENTS_H
 #define TETRACONE_EXPERIMENTS_SPEED_EXPERIMENTS_H
 
-#include "experiments/support/experiment_options.h"
+#include "experiments/support/experiment.h"
 
 namespace tetracone::experiments {
 

@@ -1,13 +1,6 @@
 #include "experiments/speed/experiments.h"
 
 #include "experiments/speed/race_rows.h"
-#include "experiments/support/draw.h"
-#include "experiments/support/resumable_csv.h"
-
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

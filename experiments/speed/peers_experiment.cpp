@@ -1,10 +1,6 @@
 #include "experiments/speed/experiments.h"
 
 #include "experiments/speed/race_rows.h"
-#include "experiments/support/draw.h"
-#include "experiments/support/resumable_csv.h"
-
-#include <memory>
 
 namespace tetracone::experiments {
 namespace {

@@ -1,15 +1,10 @@
 #include "experiments/speed/race.h"
 
-#include "experiments/support/stopwatch.h"
-
 #include <malloc.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <ctime>
 #include <iostream>
-#include <limits>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {

@@ -1,15 +1,9 @@
 #ifndef TETRACONE_EXPERIMENTS_SPEED_RACE_H
 #define TETRACONE_EXPERIMENTS_SPEED_RACE_H
 
-#include "experiments/speed/benchmark_workload.h"
 #include "experiments/speed/contestant.h"
 #include "experiments/speed/course_truth.h"
 #include "experiments/speed/timed_poses.h"
-
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <vector>
 
 namespace tetracone::experiments {
 

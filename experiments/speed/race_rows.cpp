@@ -2,7 +2,6 @@
 
 #include "experiments/support/csv_row.h"
 
-#include <cmath>
 #include <initializer_list>
 
 namespace tetracone::experiments {
@@ -64,13 +63,10 @@ void add_build(Csv_row& row, const Prepared_contestant& prepared, double triangl
 {
   // A program makes its bodies in its own process.
   if (prepared.pair->own_ns()) return add_none(row, {"build_ms", "bytes_per_triangle", "tree_bytes_per_triangle"});
+  const auto tree_bytes = double(prepared.pair->tree_bytes());
   row.add("build_ms", prepared.build.milliseconds)
-      .add("bytes_per_triangle", static_cast<double>(prepared.build.bytes) / triangles);
-  const std::size_t tree_bytes = prepared.pair->tree_bytes();
-  if (tree_bytes > 0)
-    row.add("tree_bytes_per_triangle", static_cast<double>(tree_bytes) / triangles);
-  else
-    row.none("tree_bytes_per_triangle");
+      .add("bytes_per_triangle", double(prepared.build.bytes) / triangles)
+      .add("tree_bytes_per_triangle", tree_bytes > 0 ? std::optional(tree_bytes / triangles) : std::nullopt);
 }
 
 void add_work(Csv_row& row, const Prepared_contestant& prepared, const Timing& timing)

@@ -4,8 +4,6 @@
 #include "experiments/speed/race.h"
 #include "experiments/support/experiment_options.h"
 
-#include <string>
-
 namespace tetracone::experiments {
 
 /// Runs these contestants on the course and compares the others with the first. Returns a CSV with its header: a row

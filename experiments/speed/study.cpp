@@ -2,22 +2,10 @@
 
 #include "experiments/peers/fcl.h"
 #include "experiments/speed/contact_questions.h"
-#include "experiments/speed/contestant.h"
 #include "experiments/speed/timed_poses.h"
-#include "experiments/speed/workloads.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/draw.h"
-#include "experiments/support/resumable_csv.h"
-#include "experiments/support/stopwatch.h"
 #include "verify/subjects/subject.h"
 
-#include <cmath>
 #include <iostream>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

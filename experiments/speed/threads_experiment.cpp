@@ -1,19 +1,11 @@
 #include "experiments/speed/experiments.h"
 
 #include "experiments/speed/trajectory.h"
-#include "experiments/support/csv_row.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/shape_generators.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cstdio>
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -69,7 +61,6 @@ double making(const covering::Polyhedron& object, int count)
 void run_threads(const Experiment_options& options)
 {
   const std::uint64_t seed = options.seed;
-  make_folder(options.out);
   const int processors = int(std::max(1u, std::thread::hardware_concurrency()));
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body reference(object);
@@ -78,6 +69,20 @@ void run_threads(const Experiment_options& options)
     return bool(of_reference.collide(kernel::Pose(), pose));
   });
   Csv_table table;
+  const auto add_row = [&](int count, const std::string& bodies, const covering::Polyhedron& body, const Lap& best,
+                           double alone, std::size_t asked) {
+    const double speedup = alone / best.nanoseconds;
+    table.add(Csv_row()
+                  .add("threads", count)
+                  .add("bodies", bodies)
+                  .add("triangles", body.face_count())
+                  .add_exact("ns", best.nanoseconds)
+                  .add_exact("speedup", speedup)
+                  .add("hits", best.hits)
+                  .add("poses", asked)
+                  .add_origin(seed));
+    std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, bodies.c_str(), best.nanoseconds, speedup);
+  };
   std::printf("%8s  %-6s  %10s  %8s\n", "threads", "bodies", "ns a query", "speed-up");
   for (const std::string bodies : {"fresh", "warm"}) {
     double alone = 0;
@@ -93,34 +98,16 @@ void run_threads(const Experiment_options& options)
         if (pass == 0 || now.nanoseconds < best.nanoseconds) best = now;
       }
       if (count == 1) alone = best.nanoseconds;
-      table.add(Csv_row()
-                    .add("threads", count)
-                    .add("bodies", bodies)
-                    .add("triangles", object.face_count())
-                    .add_exact("ns", best.nanoseconds)
-                    .add_exact("speedup", alone / best.nanoseconds)
-                    .add("hits", best.hits)
-                    .add("poses", poses.size())
-                    .add_origin(seed));
-      std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, bodies.c_str(), best.nanoseconds, alone / best.nanoseconds);
+      add_row(count, bodies, object, best, alone, poses.size());
     }
   }
   for (const std::size_t triangles : {70000, 700000}) {
     const covering::Polyhedron large = verify::blob(triangles, seed);
     double alone = 0;
     for (int count = 1; count <= processors; count *= 2) {
-      const double now = making(large, count);
-      if (count == 1) alone = now;
-      table.add(Csv_row()
-                    .add("threads", count)
-                    .add("bodies", "making")
-                    .add("triangles", large.face_count())
-                    .add_exact("ns", now)
-                    .add_exact("speedup", alone / now)
-                    .add("hits", 0)
-                    .add("poses", 0)
-                    .add_origin(seed));
-      std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, "making", now, alone / now);
+      const Lap best{making(large, count), 0};
+      if (count == 1) alone = best.nanoseconds;
+      add_row(count, "making", large, best, alone, 0);
     }
   }
   write_whole(options.out / "threads.csv", table.text());

@@ -4,16 +4,12 @@
 #include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/query_statistics.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace tetracone::experiments {
 

@@ -1,5 +1,6 @@
 #include "experiments/speed/trajectory.h"
 
+#include "experiments/support/extent.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
@@ -278,17 +279,7 @@ std::vector<Pose> smooth_walk(const covering::Polyhedron& a, const covering::Pol
 double mean_motion(const covering::Polyhedron& a, const covering::Polyhedron& b, const std::vector<Pose>& poses)
 {
   assert(poses.size() > 1);
-  Vector low = b.vertices.at(0), high = low;
-  double extent = 0;
-  for (int i = 0; i < 3; ++i) {
-    const auto [least, most] =
-        std::ranges::minmax_element(a.vertices, {}, [i](const kernel::Vertex& v) { return v[i]; });
-    extent = std::max(extent, (*most)[i] - (*least)[i]);
-    for (const kernel::Vertex& v : b.vertices) {
-      low[i] = std::min(low[i], v[i]);
-      high[i] = std::max(high[i], v[i]);
-    }
-  }
+  const auto [low, high] = extent_of(b);
   double total = 0;
   for (std::size_t k = 1; k < poses.size(); ++k) {
     double farthest = 0;
@@ -306,7 +297,7 @@ double mean_motion(const covering::Polyhedron& a, const covering::Polyhedron& b,
     }
     total += farthest;
   }
-  return total / double(poses.size() - 1) / extent;
+  return total / double(poses.size() - 1) / extent_of(a).longest_side();
 }
 
 }  // namespace tetracone::experiments

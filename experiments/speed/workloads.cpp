@@ -1,17 +1,14 @@
 #include "experiments/speed/workloads.h"
 
-#include "experiments/speed/trajectory.h"
-#include "tetracone/covering/io/input_error.h"
-#include "verify/cases/random.h"
+#include "experiments/speed/benchmark_workload.h"
+#include "verify/cases/object_placing.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/subjects/subject.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <utility>
 
 namespace tetracone::experiments {
 
@@ -22,6 +19,7 @@ using covering::Polyhedron;
 using kernel::Pose;
 using kernel::Question;
 using kernel::Rational;
+using object_family::power_of_two;
 
 /// The four objects of the time study, each made once on demand.
 class Objects {
@@ -30,9 +28,8 @@ class Objects {
 
   const Polyhedron& operator[](const std::string& name)
   {
-    auto& object = name == "complex-1" ? one_ : name == "complex-2" ? two_ : name == "cat-size" ? cat_ : horse_;
-    if (!object) object = std::make_unique<Polyhedron>(make(name));
-    return *object;
+    if (!made_.contains(name)) made_.emplace(name, make(name));
+    return made_.at(name);
   }
 
  private:
@@ -40,15 +37,11 @@ class Objects {
   {
     if (name == "complex-1") return complex_one();
     if (name == "complex-2") return complex_two();
-    const auto mesh = name == "cat-size" ? small_mesh(models_) : large_mesh(models_);
-    if (!mesh)
-      throw covering::Input_error(models_.native(), 0, "the meshes of libcgal-demo are not there",
-                                  "expected them: run experiments/support/fetch_models.sh");
-    return *mesh;
+    return required(name == "cat-size" ? small_mesh(models_) : large_mesh(models_), models_);
   }
 
   std::filesystem::path models_;
-  std::unique_ptr<Polyhedron> one_, two_, cat_, horse_;
+  std::map<std::string, Polyhedron> made_;
 };
 
 Workload on_trajectory(Objects& objects, const std::string& trajectory, const std::string& a, const std::string& b,
@@ -77,9 +70,6 @@ Workload degenerate(const std::string& scenario, const std::string& a_name, Poly
   return {"degenerate", scenario, a_name, b_name, std::move(a),
           std::move(b), 1,        {},     {},     {Question::surface, Question::solid}};
 }
-
-/// 2^k, exactly.
-Rational power_of_two(int k) { return Rational(std::ldexp(1.0, k)); }
 
 /// Two unit cubes that share a face, an edge or a vertex.
 Workload cubes(const std::string& scenario, const Shift& shift, bool exact, int rotations, Random random)

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <string>
+#include <optional>
 
 namespace tetracone::experiments {
 
@@ -16,10 +16,7 @@ class Csv_row {
  public:
   Csv_row& add(const std::string& name, const std::string& value)
   {
-    const char* comma = header_.empty() ? "" : ",";
-    header_ += comma + name;
-    line_ += comma + field(value);
-    return *this;
+    return add_raw(name, field(value));
   }
   Csv_row& add(const std::string& name, const char* value) { return add(name, std::string(value)); }
   Csv_row& add(const std::string& name, std::integral auto value) { return add(name, std::to_string(value)); }
@@ -30,6 +27,11 @@ class Csv_row {
     const double rounded = unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit;
     // Near the ends of the doubles' range, the unit or its inverse is not a double.
     return add(name, kernel::shortest(unit > 0 && std::isfinite(rounded) && rounded != 0 ? rounded : value));
+  }
+  /// Adds the value, or an empty field for a missing one.
+  Csv_row& add(const std::string& name, const std::optional<double>& value)
+  {
+    return value ? add(name, *value) : none(name);
   }
   /// Adds the shortest decimal that is read back as this double.
   Csv_row& add_exact(const std::string& name, double value) { return add(name, kernel::shortest(value)); }
@@ -45,17 +47,12 @@ class Csv_row {
         .add("processor", processor())
         .add_again();
   }
-  /// Adds the command line that makes the row again.
-  Csv_row& add_again() { return add_quoted("again", again()); }
-  /// Adds a text in quotes, which may contain commas.
-  Csv_row& add_quoted(const std::string& name, const std::string& text)
+  /// Adds the command line that makes the row again, in quotes, since it may contain commas.
+  Csv_row& add_again()
   {
-    const char* comma = header_.empty() ? "" : ",";
-    header_ += comma + name;
-    line_ += std::string(comma) + '"';
-    for (const char c : text) line_ += c == '"' ? std::string("\"\"") : std::string(1, c);
-    line_ += '"';
-    return *this;
+    std::string quoted;
+    for (const char c : again()) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return add_raw("again", '"' + quoted + '"');
   }
   /// Adds the seed and the fields of `add_build`.
   Csv_row& add_origin(std::uint64_t seed) { return add("seed", seed).add_build(); }
@@ -64,6 +61,14 @@ class Csv_row {
   std::string line() const { return line_ + '\n'; }
 
  private:
+  Csv_row& add_raw(const std::string& name, const std::string& field)
+  {
+    const char* comma = header_.empty() ? "" : ",";
+    header_ += comma + name;
+    line_ += comma + field;
+    return *this;
+  }
+
   std::string header_, line_;
 };
 

@@ -1,36 +1,23 @@
 #include "experiments/support/draw.h"
 
+#include "experiments/support/run_command.h"
 #include "tetracone/covering/io/input_error.h"
 
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <iostream>
 #include <stdexcept>
-#include <system_error>
 
 namespace tetracone::experiments {
 namespace {
 
-struct Ran {
-  int status;
-  std::string errors;
-};
-
-/// Runs the command in a shell, with our standard output; its errors are kept.
+/// Runs the command with our standard output; its errors are kept.
 Ran run(const std::string& command)
 {
   std::cout.flush();
   const int output = ::dup(STDOUT_FILENO);
-  std::FILE* const pipe = ::popen((command + " 2>&1 >&" + std::to_string(output)).c_str(), "r");
-  const std::error_code error(errno, std::generic_category());
+  const Ran ran = run_command(command + " 2>&1 >&" + std::to_string(output));
   ::close(output);
-  if (!pipe) throw std::system_error(error, "no shell can be started");
-  Ran ran;
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) != 0;) ran.errors.append(buffer, n);
-  ran.status = ::pclose(pipe);
   return ran;
 }
 
@@ -64,11 +51,11 @@ void draw(const std::string& script, const std::filesystem::path& out)
                                 "expected it among the sources that this program was built from, or installed with it");
   const Ran ran = run("'" TETRACONE_PYTHON "' '" + path.native() + "' '" + out.native() + "'");
   if (ran.status == 0) {
-    std::cerr << ran.errors;
+    std::cerr << ran.out;
     return;
   }
   // A script reports its own errors in our form; Python's own error is the last line, after its trace.
-  const std::string last = last_line(ran.errors);
+  const std::string last = last_line(ran.out);
   if (last.find("; expected") != std::string::npos) throw std::runtime_error(last);
   throw std::runtime_error(script + " failed: " + (last.empty() ? "status " + std::to_string(ran.status) : last) +
                            "; expected python3 with matplotlib, and enough memory");

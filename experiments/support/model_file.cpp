@@ -82,9 +82,9 @@ Model_file load(const std::string& file, const Model_options& options, bool must
 
 }  // namespace
 
-void Model_options::add_to(CLI::App& command)
+void Model_options::add_to(CLI::App& command, const char* on_strict)
 {
-  command.add_flag("--strict", strict, "Refuse a face that is not exactly planar; else it is replaced by triangles");
+  command.add_flag("--strict", strict, on_strict);
   command.add_flag("--merge", merge, "Merge vertices with exactly equal coordinates first");
   command.add_flag("--orient", orient, "Orient faces consistently first; what is closed as it stands is left alone");
 }

@@ -20,7 +20,10 @@ struct Model_options {
   bool orient = false;  ///< orient faces consistently first
   bool merge = false;   ///< merge vertices with exactly equal coordinates first
 
-  void add_to(CLI::App& command);
+  /// Adds --strict, --merge and --orient. `on_strict` says what --strict does.
+  void add_to(CLI::App& command, const char* on_strict =
+                                     "Refuse a face that is not exactly planar; else it is replaced "
+                                     "by triangles");
 };
 
 /// A model of a file, prepared for a tree: every face is planar.

@@ -4,12 +4,6 @@
 #include "experiments/support/scene_options.h"
 #include "tetracone/tetratree/door/motion.h"
 
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 namespace tetracone::experiments {
 
 /// The user's options for motions of two models: the poses of each at t = 0 and t = 1, or the poses of a path of B.

@@ -5,7 +5,6 @@
 
 #include <unistd.h>
 
-#include <cstddef>
 #include <cstdio>
 #include <string>
 #include <utility>

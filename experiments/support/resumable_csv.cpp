@@ -5,7 +5,6 @@
 #include "experiments/support/progress.h"
 #include "tetracone/covering/io/text_lines.h"
 
-#include <algorithm>
 #include <cctype>
 #include <string_view>
 

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 

@@ -1,7 +1,12 @@
 #ifndef TETRACONE_EXPERIMENTS_SUPPORT_STOPWATCH_H
 #define TETRACONE_EXPERIMENTS_SUPPORT_STOPWATCH_H
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
 
 namespace tetracone::experiments {
 
@@ -16,6 +21,28 @@ class Stopwatch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now();
 };
+
+/// Asks all ways each question, pass by pass, in which the ways take turns: ask(way, k) alone is clocked. Returns the
+/// fastest time of each question by each way, in nanoseconds.
+template <class Ask>
+std::vector<std::vector<double>> fastest_times(std::size_t ways, std::size_t questions, int passes, const Ask& ask)
+{
+  std::vector<std::vector<double>> fastest(ways,
+                                           std::vector<double>(questions, std::numeric_limits<double>::infinity()));
+  for (int pass = 0; pass < passes; ++pass)
+    for (std::size_t way = 0; way < ways; ++way)
+      for (std::size_t k = 0; k < questions; ++k) {
+        const Stopwatch watch;
+        ask(way, k);
+        fastest[way][k] = std::min(fastest[way][k], watch.nanoseconds());
+      }
+  return fastest;
+}
+
+inline double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+/// Requires a value.
+inline double mean_of(const std::vector<double>& values) { return sum_of(values) / double(values.size()); }
 
 }  // namespace tetracone::experiments
 

@@ -1,15 +1,10 @@
-#include "experiments/viewer/scene_data.h"
-
 #include "experiments/viewer/view_data.h"
-#include "tetracone/covering/covering.h"
+
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/tetratree/scene/scene.h"
 #include "verify/cases/scene_file.h"
 
 #include <nlohmann/json.hpp>
-
-#include <optional>
-#include <vector>
 
 namespace tetracone::experiments {
 namespace {

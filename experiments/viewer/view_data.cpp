@@ -7,7 +7,6 @@
 #include "tetracone/kernel/predicate/signs.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/relation_solver.h"
-#include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/truth/predicate_truth.h"
@@ -16,16 +15,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <tuple>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {
@@ -322,8 +316,10 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   const auto exact = verify::prepare(Subject(), body_a, body_b), judged = verify::prepare(subject, body_a, body_b);
   std::optional<tetratree::Collision<K>> query;
   if (!trees.empty()) query.emplace(trees[0], trees[1]);
-  Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(),
-       left = Json::array(), contacts = Json::array(), nearest = Json::array(), solids = Json::array();
+  data["subject"] = subject.name();
+  for (const char* name : {"exact", "answer"}) data[name] = Json::array();
+  if (query)
+    for (const char* name : {"features", "feature_counts", "left", "contacts", "nearest"}) data[name] = Json::array();
   std::size_t parts_left = most_parts;
   std::unique_ptr<detail::Relation_solver> overlap;
   if (query && scene.question == kernel::Question::solid)
@@ -331,38 +327,28 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
     const Pose &pose_a = scene.poses.of_a(k), &pose_b = scene.poses.of_b(k);
-    truths.push_back(int(exact->collide(pose_a, pose_b, scene.question)));
-    answers.push_back(int(judged->collide(pose_a, pose_b, scene.question)));
+    data["exact"].push_back(int(exact->collide(pose_a, pose_b, scene.question)));
+    data["answer"].push_back(int(judged->collide(pose_a, pose_b, scene.question)));
     progress.step();
     if (!query) continue;
-    nearest.push_back(nearest_data(exact->query(scene.question)->nearest(pose_a, pose_b)));
+    data["nearest"].push_back(nearest_data(exact->query(scene.question)->nearest(pose_a, pose_b)));
     if (const auto leaves = leaves_left(*query, trees[0], trees[1], pose_a, pose_b)) {
       const auto pairs = exact->features(pose_a, pose_b);
-      counts.push_back(pairs.size());
-      features.push_back(features_data(pairs, judged->features(pose_a, pose_b)));
-      left.push_back(*leaves);
-      contacts.push_back(contacts_data(exact->contacts(pose_a, pose_b)));
+      data["feature_counts"].push_back(pairs.size());
+      data["features"].push_back(features_data(pairs, judged->features(pose_a, pose_b)));
+      data["left"].push_back(*leaves);
+      data["contacts"].push_back(contacts_data(exact->contacts(pose_a, pose_b)));
       if (overlap)
-        solids.push_back(
+        data["solids"].push_back(
             solids_data(*exact->query(scene.question), *overlap, pose_a, pose_b, scene.way_out, parts_left));
     } else {
-      if (overlap) solids.push_back(nullptr);
-      counts.push_back(nullptr);
-      features.push_back(Json::array());
-      contacts.push_back(Json::array());
-      left.push_back({Json::array(), Json::array()});
+      if (overlap) data["solids"].push_back(nullptr);
+      data["feature_counts"].push_back(nullptr);
+      data["features"].push_back(Json::array());
+      data["contacts"].push_back(Json::array());
+      data["left"].push_back({Json::array(), Json::array()});
     }
   }
-  data["subject"] = subject.name();
-  data["exact"] = truths;
-  data["answer"] = answers;
-  if (!query) return;
-  data["features"] = features;
-  data["feature_counts"] = counts;
-  data["left"] = left;
-  data["contacts"] = contacts;
-  data["nearest"] = nearest;
-  if (!solids.empty()) data["solids"] = solids;
 }
 
 void add_answer_of_predicate(Json& data, const verify::Case_file& c, const std::string& kernel)

@@ -3,12 +3,7 @@
 
 #include "experiments/viewer/view_scene.h"
 #include "tetracone/covering/covering.h"
-#include "tetracone/covering/polyhedron.h"
 #include "verify/subjects/subject.h"
-
-#include <cstddef>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 
@@ -51,6 +46,16 @@ std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron&
 /// More than `most_detailed` triangles cause a line on stderr. Throws covering::Input_error for more than
 /// `most_triangles`, and CLI::ValidationError for an unknown kernel or, for a predicate's case, an unknown subject.
 std::string view_data(const View_scene& scene, const std::string& kernel, verify::Method method);
+
+/// The largest number of poses over all bodies and frames: a larger page would not fit a browser.
+constexpr std::size_t most_poses = 400'000;
+
+/// Returns all that a page shows of a scene file, as one line of JSON; experiments/viewer/page/scene.js reads it. It
+/// has `models`, each with `vertices` and the corners of its `triangles`; `bodies`, each by its model; `frames`, each
+/// with its poses; and `pairs`, the colliding ones of each frame. A model without a body is empty. Throws
+/// covering::Input_error for bad input and for a scene without a frame. It also throws it for more than `most_poses`
+/// poses, and for models of more than `most_triangles` triangles.
+std::string scene_data(const std::filesystem::path& file, kernel::Question question, const Model_options& models);
 
 }  // namespace tetracone::experiments
 

@@ -3,11 +3,9 @@
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/motion/body_motion.h"
-#include "tetracone/tetratree/door/tetracone.h"
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <initializer_list>
 #include <numeric>
 #include <utility>

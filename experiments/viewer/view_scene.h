@@ -2,14 +2,10 @@
 #define TETRACONE_EXPERIMENTS_VIEWER_VIEW_SCENE_H
 
 #include "experiments/support/motion_options.h"
-#include "experiments/support/scene_options.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "verify/cases/case_file.h"
 
-#include <array>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace tetracone::experiments {
 
