@@ -21,18 +21,7 @@
 BOOST_AUTO_TEST_SUITE(test_tetracone)
 
 namespace scenes = tetracone::verify::scenes;
-namespace verify = tetracone::verify;
-using tetracone::Answer;
-using tetracone::Body;
-using tetracone::Error;
-using tetracone::Kernel;
-using tetracone::Location;
-using tetracone::Method;
-using tetracone::Polyhedron;
-using tetracone::Pose;
-using tetracone::Query;
-using tetracone::Question;
-using tetracone::Relation;
+using namespace tetracone;
 using verify::said;
 
 namespace {

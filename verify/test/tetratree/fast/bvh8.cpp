@@ -8,14 +8,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8)
 
 using namespace tetracone::tetratree;
-namespace covering = tetracone::covering;
-namespace kernel = tetracone::kernel;
+using namespace tetracone;
 using namespace tetracone::verify::scenes;
 
 namespace {

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -45,8 +44,7 @@ std::vector<Descend> descend_versions()
 BOOST_AUTO_TEST_SUITE(test_bvh8_descent)
 
 using namespace tetracone::tetratree;
-namespace covering = tetracone::covering;
-namespace kernel = tetracone::kernel;
+using namespace tetracone;
 using namespace tetracone::verify::scenes;
 
 namespace {

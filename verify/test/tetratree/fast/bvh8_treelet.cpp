@@ -4,7 +4,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <functional>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8_treelet)

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,9 +18,7 @@
 BOOST_AUTO_TEST_SUITE(test_bvh8_front)
 
 using namespace tetracone::tetratree;
-namespace covering = tetracone::covering;
-namespace kernel = tetracone::kernel;
-namespace verify = tetracone::verify;
+using namespace tetracone;
 using namespace tetracone::verify::scenes;
 using kernel::Question;
 using kernel::Relation;

@@ -15,8 +15,7 @@
 BOOST_AUTO_TEST_SUITE(test_bvh8_collision)
 
 using namespace tetracone::tetratree;
-namespace covering = tetracone::covering;
-namespace verify = tetracone::verify;
+using namespace tetracone;
 using namespace tetracone::verify::scenes;
 using tetracone::kernel::Question;
 

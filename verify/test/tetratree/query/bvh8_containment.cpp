@@ -5,16 +5,11 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8_containment)
 
 using namespace tetracone::tetratree;
-namespace covering = tetracone::covering;
-namespace kernel = tetracone::kernel;
+using namespace tetracone;
 using namespace tetracone::verify::scenes;
 using kernel::Adaptive;
 

@@ -17,14 +17,7 @@ BOOST_AUTO_TEST_SUITE(test_bvh8_motion)
 namespace scenes = tetracone::verify::scenes;
 using namespace tetracone::tetratree;
 using tetracone::covering::Polyhedron;
-using tetracone::kernel::Body_motion;
-using tetracone::kernel::bounds_about;
-using tetracone::kernel::Moving_kind;
-using tetracone::kernel::Moving_point;
-using tetracone::kernel::Pose;
-using tetracone::kernel::Rational;
-using tetracone::kernel::Time_bounds;
-using tetracone::kernel::Vertex;
+using namespace tetracone::kernel;
 
 namespace {
 

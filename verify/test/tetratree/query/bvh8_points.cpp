@@ -15,8 +15,7 @@
 BOOST_AUTO_TEST_SUITE(test_bvh8_points)
 
 namespace scenes = tetracone::verify::scenes;
-namespace verify = tetracone::verify;
-namespace kernel = tetracone::kernel;
+using namespace tetracone;
 using namespace tetracone::tetratree;
 using kernel::Feature;
 using kernel::Rational;

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8_rays)

@@ -16,9 +16,7 @@
 BOOST_AUTO_TEST_SUITE(test_separating_face)
 
 using namespace tetracone::tetratree;
-namespace covering = tetracone::covering;
-namespace kernel = tetracone::kernel;
-namespace verify = tetracone::verify;
+using namespace tetracone;
 using namespace tetracone::verify::scenes;
 using tetracone::kernel::Question;
 

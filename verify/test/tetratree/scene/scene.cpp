@@ -10,7 +10,6 @@
 #include <cfenv>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_scene)

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <string>
 #include <tuple>
 #include <vector>
 

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 
 BOOST_AUTO_TEST_SUITE(test_turned_box)
