@@ -201,28 +201,6 @@ BOOST_AUTO_TEST_CASE(what_is_not_known_has_no_finite_reach)
   BOOST_TEST(does_not_know == 0);
 }
 
-BOOST_AUTO_TEST_CASE(in_the_lattices_own_directions_the_bound_is_the_reach_and_the_point_has_it)
-{
-  for (const auto& [name, body] : bodies()) {
-    Bvh8 tree(body);
-    Support_table table(tree);
-    BOOST_TEST_INFO_SCOPE(name);
-    int off = 0, short_of = 0;
-    for (int octant = 0; octant < 8; ++octant)
-      for (int i = 0; i <= 16; ++i)
-        for (int j = 0; i + j <= 16; ++j) {
-          const Direction d = {(octant & 1 ? -1.0f : 1.0f) * float(16 - i - j), (octant & 2 ? -1.0f : 1.0f) * float(i),
-                               (octant & 4 ? -1.0f : 1.0f) * float(j)};
-          const auto found = support(table, d);
-          const double exact = reach(tree, d), slack = double(Support_table::slack) * 16;
-          off += std::abs(found.bound - exact) > slack;
-          short_of += std::abs(along(d, found.point) - exact) > 4 * slack;
-        }
-    BOOST_TEST(off == 0);
-    BOOST_TEST(short_of == 0);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(asked_again_or_by_another_table_the_answer_is_the_same)
 {
   Random random(3);
