@@ -133,18 +133,6 @@ for line in sys.stdin:
   BOOST_TEST(run("collide " + in_quotes(*path)).out == "1\n");
 }
 
-BOOST_AUTO_TEST_CASE(bad_use_is_one_line)
-{
-  check_refused("fuzz --subject foo", "expected one of adaptive tree");
-  check_refused("fuzz --seconds -1", "--seconds");
-  check_refused("fuzz --seconds x", "--seconds");
-  check_refused("fuzz --seconds 1 --out /dev/null/x", "expected a folder");
-  check_refused("collide one.off", "expected a second model");
-  check_refused("collide no/such/file.case.json", "no such file");
-  const Temporary_file bad("bad.case.json", "{\n\"format\": 2}");
-  check_refused("collide " + in_quotes(bad.path()), ":2: /format is unknown");
-}
-
 BOOST_AUTO_TEST_CASE(one_family_is_fuzzed_alone_and_other_names_are_refused)
 {
   const Temporary_folder folder("fuzz_family");

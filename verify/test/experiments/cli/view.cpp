@@ -1,8 +1,10 @@
 // Runs the program itself: the pages of `tetracone view`, what they hold, and, in headless Chromium where it is
 // installed, what they show.
 
+#include "tetracone/covering/io/write.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "verify/test/support/program.h"
+#include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
@@ -15,7 +17,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -55,23 +56,7 @@ const std::string poses =
     "1 0 0 2 0 1 0 0 0 0 1 0\n";
 
 /// A torus of n x n quadrilaterals, halved.
-std::string torus(int n)
-{
-  const double step = 2 * std::numbers::pi / n;
-  std::string text = "OFF\n" + std::to_string(n * n) + " " + std::to_string(2 * n * n) + " 0\n";
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const double r = 2 + 0.7 * std::cos(j * step);
-      text += std::to_string(r * std::cos(i * step)) + " " + std::to_string(r * std::sin(i * step)) + " " +
-              std::to_string(0.7 * std::sin(j * step)) + "\n";
-    }
-  const auto vertex = [n](int i, int j) { return " " + std::to_string(i % n * n + j % n); };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      text += "3" + vertex(i, j) + vertex(i + 1, j) + vertex(i + 1, j + 1) + "\n3" + vertex(i, j) +
-              vertex(i + 1, j + 1) + vertex(i, j + 1) + "\n";
-  return text;
-}
+std::string torus(int n) { return tetracone::covering::write_off(scenes::triangulated(scenes::torus(n, n))); }
 
 }  // namespace
 
@@ -307,35 +292,6 @@ BOOST_AUTO_TEST_CASE(a_name_cannot_end_the_script_it_stands_in)
   const Page page(in_quotes(model.path()));
   BOOST_TEST(!contains(page.html, "x<!--<script>"));
   BOOST_TEST(page.data["name"].get<std::string>().ends_with("x<!--<script>.off"));
-}
-
-BOOST_AUTO_TEST_CASE(bad_words_are_refused_and_leave_no_file)
-{
-  const std::filesystem::path page =
-      std::filesystem::temp_directory_path() / ("tetracone_refused_" + std::to_string(::getpid()) + ".html");
-  const std::string out = " --out " + in_quotes(page), corpus = source + "/verify/corpus/";
-  check_refused("view " + cube, "--out");
-  check_refused("view" + out);
-  check_refused("view nowhere.off" + out, "nowhere.off");
-  check_refused("view " + cube + " " + cube + " --kernel exact" + out, "--kernel exact");
-  check_refused("view " + cube + " " + cube + " --question both" + out, "--question both");
-  check_refused("view " + cube + " " + cube + " --method fast" + out, "--method fast");
-  check_refused("view " + cube + " --pose-b " + models + "poses.txt" + out, "--pose-b");
-  check_refused("view " + models + "open.stl " + cube + out, "open.stl");
-  check_refused("view " + corpus + "double-false-negative-orientation.case.json " + cube + out, "B");
-  check_refused("view " + corpus + "double-false-negative-orientation.case.json --kernel fast" + out, "--kernel fast");
-  check_refused("view " + cube + " --out /nowhere/page.html", "/nowhere/page.html");
-  check_refused("view " + cube + " --depth" + out, "--depth");
-  check_refused("view " + cube + " " + cube + " --question surface --along 1 0 0" + out, "--along");
-  check_refused("view " + cube + " " + cube + " --depth --along 1 0 0" + out, "--along");
-  check_refused("view " + cube + " " + cube + " --along 0 0 0" + out, "a direction of 0");
-  check_refused("view " + cube + " " + cube + " --along 1 0 east" + out, "'east'");
-  check_refused("view " + corpus + "double-false-negative-orientation.case.json --depth" + out, "--depth");
-  const Temporary_file two("two.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 0\n");
-  check_refused(
-      "view " + cube + " " + cube + " --pose-a " + in_quotes(two.path()) + " --pose-b " + models + "poses.txt" + out,
-      "3 poses");
-  BOOST_TEST(!std::filesystem::exists(page));
 }
 
 BOOST_AUTO_TEST_CASE(in_a_browser_pages_show_what_they_should)

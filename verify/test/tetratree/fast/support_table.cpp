@@ -1,6 +1,6 @@
 #include "tetracone/tetratree/fast/support_table.h"
 
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -29,11 +29,8 @@ std::vector<Named> bodies()
                             {"tetrahedra", random_tetrahedra(random, 30, 9)},
                             {"tiny", moved(unit_cube(), 0x1p-200)},
                             {"far", moved(unit_cube(), 1, {0x1p40, 0, 0})},
-                            {"thin", box({0, 0, 0}, {1, 1e-6, 1e-12})}};
-  Polyhedron dot;
-  dot.vertices = {{1, 2, 3}};
-  dot.add_polygon({0});
-  all.push_back({"dot", dot});
+                            {"thin", box({0, 0, 0}, {1, 1e-6, 1e-12})},
+                            {"dot", polygon({{1, 2, 3}})}};
   return all;
 }
 

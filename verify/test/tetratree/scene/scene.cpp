@@ -1,7 +1,7 @@
 #include "tetracone/tetratree/scene/scene.h"
 
+#include "verify/test/support/object_cases.h"
 #include "verify/test/support/said.h"
-#include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -185,6 +185,19 @@ std::size_t check_rings(const Scene_options& options, bool by_makers = false)
   return most;
 }
 
+/// Turned by an eighth about z: beside a cube, their boxes meet and they do not.
+Pose turned(double x, double y = 0.7)
+{
+  const double c = std::sqrt(0.5);
+  return Pose(std::array<double, 12>{c, -c, 0, x, c, c, 0, y, 0, 0, 1, 0});
+}
+
+void add_two_cubes(Scene& scene)
+{
+  scene.add_model(Body(scenes::unit_cube()));
+  for (int k = 0; k < 2; ++k) scene.add_body(0);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_frame_has_exactly_the_pairs_that_collide)
@@ -210,20 +223,15 @@ BOOST_AUTO_TEST_CASE(fronts_that_near_pairs_keep_change_no_answer)
 
 BOOST_AUTO_TEST_CASE(pairs_that_are_apart_are_not_asked_again_before_the_gap_is_used_up)
 {
-  const Body cube(scenes::unit_cube());
   Scene scene;
-  scene.add_body(scene.add_model(cube));
-  scene.add_body(0);
+  add_two_cubes(scene);
   scene.place(0, Pose());
-  // Turned by an eighth about z, so that their boxes meet and they do not.
-  const double c = std::sqrt(0.5);
-  const auto at = [c](double x) { return Pose(std::array<double, 12>{c, -c, 0, x, c, c, 0, 0.7, 0, 0, 1, 0}); };
-  scene.place(1, at(1.45));
+  scene.place(1, turned(1.45));
   BOOST_TEST(scene.pairs().empty());
   std::size_t asked = scene.statistics().queries;
   BOOST_TEST(asked == 1u);
   for (int k = 1; k <= 100; ++k) {
-    scene.place(1, at(1.45 - k * 1e-4));
+    scene.place(1, turned(1.45 - k * 1e-4));
     BOOST_TEST(scene.pairs().empty());
     asked += scene.statistics().queries;
   }
@@ -235,14 +243,12 @@ BOOST_AUTO_TEST_CASE(pairs_that_are_apart_are_not_asked_again_before_the_gap_is_
 BOOST_AUTO_TEST_CASE(pairs_whose_bodies_move_alike_are_not_asked_again)
 {
   Scene scene;
-  scene.add_model(Body(scenes::unit_cube()));
-  const double c = std::sqrt(0.5);
-  for (int k = 0; k < 2; ++k) scene.add_body(0);
+  add_two_cubes(scene);
   std::size_t asked = 0;
   for (int k = 0; k < 100; ++k) {
     const double x = 0.25 * k, y = 0.01 * k * k;
     scene.place(0, Pose::translation(x, y, 0));
-    scene.place(1, Pose(std::array<double, 12>{c, -c, 0, x + 1.45, c, c, 0, y + 0.7, 0, 0, 1, 0}));
+    scene.place(1, turned(x + 1.45, y + 0.7));
     BOOST_TEST(scene.pairs().empty());
     asked += scene.statistics().queries;
   }
@@ -255,13 +261,10 @@ BOOST_AUTO_TEST_CASE(pairs_whose_bodies_move_alike_are_not_asked_again)
 BOOST_AUTO_TEST_CASE(a_step_that_is_summed_up_by_other_rounding_keeps_no_answer)
 {
   Scene scene;
-  scene.add_model(Body(scenes::unit_cube()));
-  for (int k = 0; k < 2; ++k) scene.add_body(0);
-  const double c = std::sqrt(0.5);
-  const auto at = [c](double x) { return Pose(std::array<double, 12>{c, -c, 0, x, c, c, 0, 0.7, 0, 0, 1, 0}); };
+  add_two_cubes(scene);
   scene.place(0, Pose());
   for (int k = 0; k < 24; ++k) {
-    const Pose pose = at(1.45 - k * 1e-6);
+    const Pose pose = turned(1.45 - k * 1e-6);
     if (k == 22) std::fesetround(FE_DOWNWARD);
     scene.place(1, pose);
     std::fesetround(FE_TONEAREST);
@@ -389,11 +392,8 @@ BOOST_AUTO_TEST_CASE(what_fails_once_is_asked_again)
   is_there = true;
   BOOST_TEST(scene.pairs().size() == 1u);
 
-  Polyhedron triangle;
-  triangle.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  triangle.add_polygon({0, 1, 2});
   Scene open;
-  open.add_model(Body(triangle));
+  open.add_model(Body(scenes::polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})));
   open.place(open.add_body(0), Pose());
   BOOST_TEST(verify::said([&] { open.pairs(); }).starts_with("model 0 is open at 3 edges"));
 
