@@ -17,9 +17,9 @@
 BOOST_AUTO_TEST_SUITE(test_other_libraries)
 
 using namespace tetracone::verify;
-using kernel::Contact;
-using kernel::parse_double;
-using kernel::parse_fraction;
+using tetracone::kernel::Contact;
+using tetracone::kernel::parse_double;
+using tetracone::kernel::parse_fraction;
 using namespace tetracone::verify::scenes;
 
 namespace {

@@ -13,7 +13,8 @@
 BOOST_AUTO_TEST_SUITE(test_bvh8)
 
 using namespace tetracone::tetratree;
-using namespace tetracone;
+namespace covering = tetracone::covering;
+namespace kernel = tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
 namespace {
@@ -55,6 +56,7 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
             tree.for_vertices(tree.element({n, lane}, k), [&](Index v) { corners.push_back(v); });
         } else {
           const Index child = tree.child({n, lane});
+          BOOST_TEST(std::size_t(tree.node(child).boxes.lane_count) <= options.parts);
           for (int k = 0; k < tree.node(child).boxes.lane_count; ++k)
             for (const Index v : visit(child, k)) corners.push_back(v);
         }

@@ -44,7 +44,8 @@ std::vector<Descend> descend_versions()
 BOOST_AUTO_TEST_SUITE(test_bvh8_descent)
 
 using namespace tetracone::tetratree;
-using namespace tetracone;
+namespace covering = tetracone::covering;
+namespace kernel = tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
 namespace {

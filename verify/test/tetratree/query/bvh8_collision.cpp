@@ -15,7 +15,8 @@
 BOOST_AUTO_TEST_SUITE(test_bvh8_collision)
 
 using namespace tetracone::tetratree;
-using namespace tetracone;
+namespace covering = tetracone::covering;
+namespace verify = tetracone::verify;
 using namespace tetracone::verify::scenes;
 using tetracone::kernel::Question;
 

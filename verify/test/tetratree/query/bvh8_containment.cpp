@@ -8,7 +8,8 @@
 BOOST_AUTO_TEST_SUITE(test_bvh8_containment)
 
 using namespace tetracone::tetratree;
-using namespace tetracone;
+namespace covering = tetracone::covering;
+namespace kernel = tetracone::kernel;
 using namespace tetracone::verify::scenes;
 using kernel::Adaptive;
 

@@ -15,7 +15,8 @@
 BOOST_AUTO_TEST_SUITE(test_bvh8_points)
 
 namespace scenes = tetracone::verify::scenes;
-using namespace tetracone;
+namespace verify = tetracone::verify;
+namespace kernel = tetracone::kernel;
 using namespace tetracone::tetratree;
 using kernel::Feature;
 using kernel::Rational;

@@ -16,7 +16,9 @@
 BOOST_AUTO_TEST_SUITE(test_separating_face)
 
 using namespace tetracone::tetratree;
-using namespace tetracone;
+namespace covering = tetracone::covering;
+namespace kernel = tetracone::kernel;
+namespace verify = tetracone::verify;
 using namespace tetracone::verify::scenes;
 using tetracone::kernel::Question;
 
