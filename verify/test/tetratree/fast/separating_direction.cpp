@@ -32,10 +32,7 @@ bool told_apart_by(Separating_direction& separation, const Placed& p, int steps,
 
 Pose plus(const Pose& pose, const std::array<Rational, 3>& t)
 {
-  std::array<Rational, 12> entries;
-  for (int k = 0; k < 12; ++k) entries[k] = pose.exact(k);
-  for (int i = 0; i < 3; ++i) entries[4 * i + 3] += t[i];
-  return Pose(entries);
+  return composed(Pose(std::array<Rational, 12>{1, 0, 0, t[0], 0, 1, 0, t[1], 0, 0, 1, t[2]}), pose);
 }
 
 /// The pose moved so that vertex v of the body comes, exactly, to `to`.

@@ -38,30 +38,17 @@ std::vector<Named> bodies()
 /// each.
 Direction direction(Random& random, int kind)
 {
+  const int way = kind % 6, axis = integer(random, 0, 2), i = integer(random, 0, 16), j = integer(random, 0, 16 - i);
   Direction d;
-  switch (kind % 6) {
-    case 0: d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))}; break;
-    case 1:
-      d = {0, 0, 0};
-      d[integer(random, 0, 2)] = random() % 2 ? 1 : -1;
-      break;
-    case 2:
-      d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))};
-      d[integer(random, 0, 2)] = random() % 2 ? 0.0f : -0.0f;
-      break;
-    case 3:
-    case 4: {  // of the lattice, or between two of its directions
-      const int i = integer(random, 0, 16), j = integer(random, 0, 16 - i);
-      d = {float(16 - i - j), float(i), float(j)};
-      if (kind % 6 == 4) d[integer(random, 0, 2)] += float(real(random, 0, 1));
-      for (float& x : d) x *= random() % 2 ? 1 : -1;
-      break;
-    }
-    default: {
-      const int i = integer(random, 0, 16), j = integer(random, 0, 16 - i);
-      d = {float(16 - i - j), float(i), float(j)};
-      for (float& x : d) x = std::nextafter(x, float(integer(random, -1, 1)));
-    }
+  for (float& x : d) x = float(real(random, -1, 1));
+  if (way == 1) d = {0, 0, 0};
+  if (way >= 3) d = {float(16 - i - j), float(i), float(j)};
+  if (way == 1) d[axis] = random() % 2 ? 1 : -1;
+  if (way == 2) d[axis] = random() % 2 ? 0.0f : -0.0f;
+  if (way == 4) d[axis] += float(real(random, 0, 1));  // between two directions of the lattice
+  for (float& x : d) {
+    if (way == 3 || way == 4) x *= random() % 2 ? 1 : -1;
+    if (way == 5) x = std::nextafter(x, float(integer(random, -1, 1)));
   }
   if (d[0] == 0 && d[1] == 0 && d[2] == 0) d[0] = 1;
   const float scale = std::ldexp(1.0f, integer(random, -60, 60));

@@ -65,7 +65,7 @@ const Bodies& bodies()
 }
 
 /// Smooth ones along contact, through it, and inside. Others have jumps, rests, restarts, and steps of the size of
-/// bodies(). Some poses are no similarities, in fractions, mirrored, or of changing size.
+/// bodies. Some poses are no similarities, in fractions, mirrored, or of changing size.
 std::vector<Walk> walks()
 {
   const auto still = [](int) { return Pose(); };

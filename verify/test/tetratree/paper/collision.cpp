@@ -226,11 +226,7 @@ BOOST_AUTO_TEST_CASE(every_stage_discards_something_and_the_regular_hull_saves_v
       Tetra_tree<Adaptive> a(c.a, config), b(c.b, config);
       Collision<Adaptive> collision(a, b);
       collision(c.pose_a, c.pose_b);
-      sum.pairs_visited += collision.counts().pairs_visited;
-      sum.discarded_by_hull += collision.counts().discarded_by_hull;
-      sum.discarded_by_sphere += collision.counts().discarded_by_sphere;
-      sum.discarded_by_tetrahedron += collision.counts().discarded_by_tetrahedron;
-      sum.discarded_by_box += collision.counts().discarded_by_box;
+      sum += collision.counts();
     }
     return sum;
   };

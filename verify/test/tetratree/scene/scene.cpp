@@ -16,6 +16,7 @@ BOOST_AUTO_TEST_SUITE(test_scene)
 
 using namespace tetracone;
 namespace scenes = verify::scenes;
+using verify::said;
 
 namespace {
 
@@ -360,20 +361,18 @@ BOOST_AUTO_TEST_CASE(a_budget_leaves_pairs_undecided_and_later_frames_decide_the
 BOOST_AUTO_TEST_CASE(misuse_is_refused_with_a_line)
 {
   Scene scene;
-  BOOST_TEST(verify::said([&] { scene.add_body(0); }) == "scene: model 0 of 0; expected a model's number");
+  BOOST_TEST(said([&] { scene.add_body(0); }) == "scene: model 0 of 0; expected a model's number");
   scene.add_model(Body(scenes::unit_cube()));
   const std::size_t body = scene.add_body(0), other = scene.add_body(0);
-  BOOST_TEST(verify::said([&] { scene.set_model(body, 7); }) == "scene: model 7 of 1; expected a model's number");
-  BOOST_TEST(verify::said([&] { scene.place(9, Pose()); }) ==
-             "scene: body 9 is not there; expected the number of one that is");
-  BOOST_TEST(verify::said([&] { scene.relation(body, other); }) == "scene: body 0 has no pose; expected a placed body");
-  BOOST_TEST(verify::said([&] { scene.ignore(body, body); }) ==
-             "scene: body 0 with itself; expected two bodies to ignore");
-  BOOST_TEST(verify::said([&] { scene.frame({}); }) == "scene: 0 poses of 2 bodies; expected one a body");
+  BOOST_TEST(said([&] { scene.set_model(body, 7); }) == "scene: model 7 of 1; expected a model's number");
+  BOOST_TEST(said([&] { scene.place(9, Pose()); }) == "scene: body 9 is not there; expected the number of one that is");
+  BOOST_TEST(said([&] { scene.relation(body, other); }) == "scene: body 0 has no pose; expected a placed body");
+  BOOST_TEST(said([&] { scene.ignore(body, body); }) == "scene: body 0 with itself; expected two bodies to ignore");
+  BOOST_TEST(said([&] { scene.frame({}); }) == "scene: 0 poses of 2 bodies; expected one a body");
   scene.remove_body(other);
-  BOOST_TEST(verify::said([&] { scene.remove_body(other); }) ==
+  BOOST_TEST(said([&] { scene.remove_body(other); }) ==
              "scene: body 1 is not there; expected the number of one that is");
-  BOOST_TEST(verify::said([] { Scene({.budget = std::chrono::nanoseconds(-1)}); }) ==
+  BOOST_TEST(said([] { Scene({.budget = std::chrono::nanoseconds(-1)}); }) ==
              "scene: a budget below 0; expected nanoseconds, or 0 for no limit");
 }
 
@@ -388,19 +387,19 @@ BOOST_AUTO_TEST_CASE(what_fails_once_is_asked_again)
       },
       "cube");
   for (int k = 0; k < 2; ++k) scene.place(scene.add_body(0), Pose());
-  BOOST_TEST(verify::said([&] { scene.pairs(); }) == "cube.off: not yet; expected later");
+  BOOST_TEST(said([&] { scene.pairs(); }) == "cube.off: not yet; expected later");
   is_there = true;
   BOOST_TEST(scene.pairs().size() == 1u);
 
   Scene open;
   open.add_model(Body(scenes::polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})));
   open.place(open.add_body(0), Pose());
-  BOOST_TEST(verify::said([&] { open.pairs(); }).starts_with("model 0 is open at 3 edges"));
+  BOOST_TEST(said([&] { open.pairs(); }).starts_with("model 0 is open at 3 edges"));
 
   Scene small({.memory = 1000});
   small.add_model([] { return Body(scenes::triangulated(scenes::torus(24, 16))); }, "torus");
   for (int k = 0; k < 2; ++k) small.place(small.add_body(0), Pose());
-  BOOST_TEST(verify::said([&] { small.pairs(); }).starts_with("scene: a memory of 1000 bytes does not hold 'torus'"));
+  BOOST_TEST(said([&] { small.pairs(); }).starts_with("scene: a memory of 1000 bytes does not hold 'torus'"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
