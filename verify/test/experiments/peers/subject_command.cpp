@@ -71,8 +71,8 @@ for line in sys.stdin:
     elif mode == "endless":
         put({"ask": m["ask"], "answer": None})
         while True: print("again", file=sys.stderr)
-    elif x == 2 or mode in ("held", "forgetful", "banner", "once"): put({"ask": m["ask"], "answer": None})
     elif mode == "declines": put({"why": "no idea", "answer": None, "ask": m["ask"]})
+    elif x == 2 or mode in ("held", "forgetful", "banner", "once"): put({"ask": m["ask"], "answer": None})
     elif mode == "column": put({"ask": m["ask"], "answer": int(all(-1 <= a - b <= 1 for a, b in zip(m["pose_b"][9:], m["pose_a"][9:])))})
     elif mode == "twice":
         put({"ask": m["ask"], "answer": None})
