@@ -48,12 +48,14 @@ struct Page {
 
 /// Unit cubes, the second moved along x: overlapping, touching, one ulp apart, apart by less than a float can say, and
 /// far apart.
-const std::string poses =
-    "1 0 0 0.5 0 1 0 0 0 0 1 0\n"
-    "1 0 0 1 0 1 0 0 0 0 1 0\n"
-    "1 0 0 1.0000000000000002 0 1 0 0 0 0 1 0\n"
-    "1 0 0 1.0000000001 0 1 0 0 0 0 1 0\n"
-    "1 0 0 2 0 1 0 0 0 0 1 0\n";
+Json with_poses(const std::string& options)
+{
+  std::string poses;
+  for (const char* x : {"0.5", "1", "1.0000000000000002", "1.0000000001", "2"})
+    poses += std::string("1 0 0 ") + x + " 0 1 0 0 0 0 1 0\n";
+  const Temporary_file file("poses.txt", poses);
+  return Page(cube + " " + cube + options + " --pose-b " + in_quotes(file.path())).data;
+}
 
 /// A torus of n x n quadrilaterals, halved.
 std::string torus(int n) { return tetracone::covering::write_off(scenes::triangulated(scenes::torus(n, n))); }
@@ -62,22 +64,19 @@ std::string torus(int n) { return tetracone::covering::write_off(scenes::triangu
 
 BOOST_AUTO_TEST_CASE(answers_stand_beside_the_exact_ones_pose_by_pose)
 {
-  const Temporary_file file("poses.txt", poses);
-  const Json data = Page(cube + " " + cube + " --kernel float --pose-b " + in_quotes(file.path())).data;
+  const Json data = with_poses(" --kernel float");
   BOOST_TEST(data["subject"] == "float tree");
   BOOST_TEST(data["question"] == "solid");
   BOOST_TEST(data["exact"] == Json({1, 1, 0, 0, 0}));
   BOOST_TEST(data["answer"] == Json({1, 1, 1, 1, 0}));
   BOOST_TEST(data["poses"][0].size() == 1u);
   BOOST_TEST(data["poses"][1][2][3] == 1.0000000000000002);
-  BOOST_TEST(Page(cube + " " + cube + " --kernel adaptive --pose-b " + in_quotes(file.path())).data["answer"] ==
-             data["exact"]);
+  BOOST_TEST(with_poses(" --kernel adaptive")["answer"] == data["exact"]);
 }
 
 BOOST_AUTO_TEST_CASE(features_say_which_pairs_the_kernel_loses_and_invents)
 {
-  const Temporary_file file("poses.txt", poses);
-  const Json data = Page(cube + " " + cube + " --kernel float --pose-b " + in_quotes(file.path())).data;
+  const Json data = with_poses(" --kernel float");
   const auto marks = [&](int pose, int mark) {
     int count = 0;
     for (const Json& f : data["features"][pose]) count += f[5] == mark;
@@ -116,8 +115,7 @@ double bounded_by(const Json& parts)
 
 BOOST_AUTO_TEST_CASE(solids_say_how_they_stand_and_what_bounds_their_overlap)
 {
-  const Temporary_file file("poses.txt", poses);
-  const Json solids = Page(cube + " " + cube + " --pose-b " + in_quotes(file.path())).data["solids"];
+  const Json solids = with_poses("")["solids"];
   std::vector<std::string> relations;
   for (const Json& each : solids)
     relations.push_back(each["relation"].get<std::string>() + " " + std::to_string(each["dimension"].get<int>()));
@@ -146,12 +144,10 @@ BOOST_AUTO_TEST_CASE(solids_say_how_they_stand_and_what_bounds_their_overlap)
 
 BOOST_AUTO_TEST_CASE(a_vector_moves_a_out_of_b)
 {
-  const Temporary_file file("poses.txt", poses);
-  const std::string words = cube + " " + cube + " --pose-b " + in_quotes(file.path());
-  const Json least = Page(words + " --depth").data["solids"];
+  const Json least = with_poses(" --depth")["solids"];
   BOOST_TEST(least[0]["out"] == Json::parse(R"({"vector": [-0.5, 0, 0], "bounds": [0.5, 0.5], "exact": true})"));
   BOOST_TEST((!least[1].contains("out") && !least[2].contains("out")));
-  const Json along = Page(words + " --along 0 -4/2 0").data["solids"];
+  const Json along = with_poses(" --along 0 -4/2 0")["solids"];
   BOOST_TEST(along[0]["out"] == Json::parse(R"({"vector": [0, -1, 0], "first": 0.5, "last": 0.5})"));
 }
 
