@@ -1,13 +1,12 @@
 // Runs the program as the transcripts of this folder say. A transcript is a text of commands, and of what each prints:
 //
-//   $ a command of the shell, in a temporary folder of the transcript
-//   > more lines of it
-//   the lines of its standard output, where ... is any text, and a line of ... any lines
-//   [2] its status, and a part of its standard error
+//   $ A command of the shell, in a temporary folder of the transcript.
+//   > More lines of it.
+//   The lines of its standard output. Three dots are any text, and a line of them is any lines.
+//   [2] Its status, and a part of its standard error. Where the status is 2, standard error is one line.
 //
-// Lines that begin with # are comments. Where the status is 2, standard error is one line. The shell knows the program
-// as tetracone, and the paths $program, $cube, $models, $source and $python. Its function `refused TEXT WORDS` prints the words
-// that the program does not refuse with status 2, nothing on standard output, and one line that holds the text.
+// Lines that begin with # are comments. The shell knows the program as tetracone, and the paths $program, $cube,
+// $models, $source and $python. The function of refused.sh prints words that the program does not refuse.
 
 #include "verify/test/support/program.h"
 
