@@ -1,8 +1,8 @@
 // Cases with known answers from the tests of CGAL, FCL and Coal, of the folder of real data (not part of the project).
 
 #include "verify/test/support/data_folder.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/property_tree/json_parser.hpp>
@@ -80,10 +80,7 @@ BOOST_AUTO_TEST_CASE(triangles_of_the_tests_of_cgal)
   if (without_data()) return;
   const Tree cases = read_cases("tri_tri_cgal.json");
   // A triangle with rational corners is an exact image of this one.
-  Polyhedron corner;
-  corner.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  corner.add_polygon({0, 1, 2});
-  const Brute_body body(corner);
+  const Brute_body body(polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   const auto placed = [](const Tree& tree) {
     std::vector<rationals::Vector> p;
     for (const auto& [key, child] : tree) p.push_back({numbers(child)[0], numbers(child)[1], numbers(child)[2]});

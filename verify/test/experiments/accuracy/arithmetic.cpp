@@ -60,12 +60,6 @@ BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_size_that_no_map_has_is_refused)
-{
-  for (const std::string size : {"0", "-1", "4097", "1000000000000", "nan", ""})
-    check_refused("experiment sign-maps --size '" + size + "'", "--size");
-}
-
 BOOST_AUTO_TEST_CASE(the_exact_kernel_changes_its_answer_at_the_exact_place_and_float_far_from_it)
 {
   const Temporary_folder out("stability");

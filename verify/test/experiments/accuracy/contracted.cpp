@@ -1,6 +1,5 @@
 #include "experiments/accuracy/contracted.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>

@@ -58,6 +58,9 @@ class Files(unittest.TestCase):
         rows = list(dataset.rows("cases.jsonl", FOLDER))
         cases = list(dataset.cases())
         self.assertEqual(len(cases), 2 * dataset.about()["families"])
+        self.assertEqual(",".join(list(rows[0])[:12]), "id,family,index,parameter,seed,mesh_a,mesh_b,surface,solid,log2_rho,log2_ulps,a00")
+        for row in rows:
+            self.assertEqual([type(row[name]) for name in ("surface", "solid", "index", "seed")], [bool, bool, int, int])
         rational = 0
         for case, row in zip(cases, rows):
             for name, pose in (("a", case.pose_a), ("b", case.pose_b)):

@@ -5,6 +5,7 @@
 #include "experiments/peers/peer.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/test/support/print_outcome.h"
 #include "verify/test/support/program.h"
 
@@ -36,18 +37,15 @@ using verify::program;
 
 namespace {
 
-std::shared_ptr<const covering::Polyhedron> shared(covering::Polyhedron polyhedron)
+Object_case two(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose& pose_b = {})
 {
-  return std::make_shared<const covering::Polyhedron>(std::move(polyhedron));
+  return verify::scenes::object_case(a, {}, b, pose_b);
 }
 
-Object_case two(covering::Polyhedron a, covering::Polyhedron b, const Pose& pose_b = {})
+const Object_case& cubes()
 {
-  Object_case c;
-  c.a = shared(std::move(a));
-  c.b = shared(std::move(b));
-  c.pose_b = pose_b;
-  return c;
+  static const Object_case cubes = two(verify::unit_cube(), verify::unit_cube());
+  return cubes;
 }
 
 /// The peer's name, or a word that says it is not in this build.
@@ -90,7 +88,6 @@ BOOST_AUTO_TEST_CASE(every_peer_says_what_it_answers)
 
 BOOST_AUTO_TEST_CASE(every_peer_is_right_on_clear_overlap_and_clear_separation)
 {
-  const auto cube = shared(verify::unit_cube());
   for (const Object_subject& s : experiments::peer_subjects(program)) {
     const auto answering = s.make();
     verify::Random random(1);
@@ -98,8 +95,7 @@ BOOST_AUTO_TEST_CASE(every_peer_is_right_on_clear_overlap_and_clear_separation)
     for (int k = 0; k < 40; ++k) {
       const auto q = random.quaternion();
       const auto turn = verify::rotation(q[0], q[1], q[2], q[3]);
-      Object_case c;
-      c.a = c.b = cube;
+      Object_case c = cubes();
       c.pose_a = rounded_rotation(turn, 3, 4, -5);
       // Both cubes have one rotation, so that their translation alone gives their distance or depth.
       const double apart = k % 2 == 0 ? 0.7 : 1.5;
@@ -166,7 +162,7 @@ BOOST_AUTO_TEST_CASE(only_rigid_poses_are_asked)
   for (const Pose& pose : {scaled, mirrored, sheared, huge}) {
     BOOST_TEST(ask("CGAL RMCD EPICK", two(verify::unit_cube(), verify::unit_cube(), pose), Question::solid) ==
                Outcome::not_asked);
-    Object_case c = two(verify::unit_cube(), verify::unit_cube());
+    Object_case c = cubes();
     c.pose_a = pose;
     BOOST_TEST(ask("CGAL RMCD EPICK", c, Question::solid) == Outcome::not_asked);
   }
@@ -204,14 +200,12 @@ BOOST_AUTO_TEST_CASE(cgal_with_exact_constructions_is_right_where_rounded_motion
 {
   // Unit cubes under one rounded rotation, the second moved by the rotation's first column as doubles: the faces share
   // a plane exactly.
-  const auto cube = shared(verify::unit_cube());
   const auto exact = peer_subject(program, "CGAL RMCD EPECK").make();
   verify::Random random(20240601);
   for (int k = 0; k < 30; ++k) {
     const auto q = random.quaternion();
     const auto m = verify::rotation(q[0], q[1], q[2], q[3]);
-    Object_case c;
-    c.a = c.b = cube;
+    Object_case c = cubes();
     c.pose_a = rounded_rotation(m, 0, 0, 0);
     c.pose_b = rounded_rotation(m, m[0][0], m[1][0], m[2][0]);
     BOOST_TEST((*exact)(c, Question::surface) == Outcome::yes);
@@ -272,25 +266,23 @@ BOOST_AUTO_TEST_CASE(peers_of_motions_are_asked_of_shifted_surfaces_alone)
 BOOST_AUTO_TEST_CASE(a_crash_is_a_failure_and_the_next_question_is_answered)
 {
   const auto crashing = peer_subject(program, "crash").make();
-  const Object_case c = two(verify::unit_cube(), verify::unit_cube());
   for (int k = 0; k < 3; ++k) {
-    BOOST_TEST((*crashing)(c, Question::solid) == Outcome::no);
-    BOOST_TEST((*crashing)(c, Question::surface) == Outcome::failed);
+    BOOST_TEST((*crashing)(cubes(), Question::solid) == Outcome::no);
+    BOOST_TEST((*crashing)(cubes(), Question::surface) == Outcome::failed);
   }
-  BOOST_TEST((*crashing)(c, Question::solid) == Outcome::no);
+  BOOST_TEST((*crashing)(cubes(), Question::solid) == Outcome::no);
 }
 
 BOOST_AUTO_TEST_CASE(a_hang_is_a_failure_after_its_limit)
 {
   using namespace std::chrono;
   const auto hanging = peer_subject(program, "hang", milliseconds(200)).make();
-  const Object_case c = two(verify::unit_cube(), verify::unit_cube());
   const auto start = steady_clock::now();
-  BOOST_TEST((*hanging)(c, Question::surface) == Outcome::failed);
+  BOOST_TEST((*hanging)(cubes(), Question::surface) == Outcome::failed);
   const auto took = steady_clock::now() - start;
   BOOST_TEST((took >= milliseconds(200)));
   BOOST_TEST((took < seconds(20)));
-  BOOST_TEST((*hanging)(c, Question::solid) == Outcome::no);
+  BOOST_TEST((*hanging)(cubes(), Question::solid) == Outcome::no);
 }
 
 BOOST_AUTO_TEST_CASE(a_worker_that_hangs_dies_with_the_program_that_asked_it)
@@ -301,10 +293,9 @@ BOOST_AUTO_TEST_CASE(a_worker_that_hangs_dies_with_the_program_that_asked_it)
   const pid_t asker = ::fork();
   if (asker == 0) {
     const auto hanging = peer_subject(program, "hang").make();
-    const Object_case c = two(verify::unit_cube(), verify::unit_cube());
-    (*hanging)(c, Question::solid);
+    (*hanging)(cubes(), Question::solid);
     const char there = 'x';
-    if (::write(ends[1], &there, 1) == 1) (*hanging)(c, Question::surface);
+    if (::write(ends[1], &there, 1) == 1) (*hanging)(cubes(), Question::surface);
     ::_exit(0);
   }
   char there = 0;
@@ -322,16 +313,14 @@ BOOST_AUTO_TEST_CASE(a_worker_that_hangs_dies_with_the_program_that_asked_it)
 
 BOOST_AUTO_TEST_CASE(a_program_that_is_none_is_refused_and_not_taken_for_a_failure)
 {
-  const Object_case c = two(verify::unit_cube(), verify::unit_cube());
   const auto missing = peer_subject("/nowhere/tetracone", "FCL AABB").make(),
              unknown = peer_subject(program, "no such peer").make();
-  BOOST_CHECK_THROW((*missing)(c, Question::solid), std::runtime_error);
-  BOOST_CHECK_THROW((*unknown)(c, Question::solid), std::runtime_error);
+  BOOST_CHECK_THROW((*missing)(cubes(), Question::solid), std::runtime_error);
+  BOOST_CHECK_THROW((*unknown)(cubes(), Question::solid), std::runtime_error);
 }
 
 BOOST_AUTO_TEST_CASE(threads_ask_at_once_and_outlive_the_one_that_started_the_worker)
 {
-  const auto cube = shared(verify::unit_cube());
   const Object_subject s = peer_subject(program, "CGAL RMCD EPICK");
   std::vector<std::unique_ptr<verify::Running_subject>> answerings(4);
   for (auto& answering : answerings) answering = s.make();
@@ -342,8 +331,7 @@ BOOST_AUTO_TEST_CASE(threads_ask_at_once_and_outlive_the_one_that_started_the_wo
     for (std::size_t t = 0; t < answerings.size(); ++t)
       threads.emplace_back([&, t] {
         for (int k = 0; k < 50; ++k) {
-          Object_case c;
-          c.a = c.b = cube;
+          Object_case c = cubes();
           c.pose_b = Pose::translation(k % 2 == 0 ? 0.5 : 2, 0, 0);
           wrong[t] += (*answerings[t])(c, Question::solid) != (k % 2 == 0 ? Outcome::yes : Outcome::no);
         }
@@ -366,13 +354,12 @@ BOOST_AUTO_TEST_CASE(big_models_and_changing_ones_go_through)
 
 BOOST_AUTO_TEST_CASE(a_question_costs_no_more_than_a_peer_and_a_socket)
 {
-  Object_case c = two(verify::unit_cube(), verify::unit_cube());
   const auto answering = peer_subject(program, "crash").make();  // answers no at once
-  (*answering)(c, Question::solid);
+  (*answering)(cubes(), Question::solid);
   constexpr int questions = 20000;
   const auto start = std::chrono::steady_clock::now();
   int wrong = 0;
-  for (int k = 0; k < questions; ++k) wrong += (*answering)(c, Question::solid) != Outcome::no;
+  for (int k = 0; k < questions; ++k) wrong += (*answering)(cubes(), Question::solid) != Outcome::no;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   BOOST_TEST(wrong == 0);
   BOOST_TEST_MESSAGE(questions / seconds << " questions per second");

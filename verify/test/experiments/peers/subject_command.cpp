@@ -4,6 +4,7 @@
 
 #include "experiments/peers/check_subject.h"
 #include "verify/cases/shape_generators.h"
+#include "verify/cases/shape_library.h"
 #include "verify/test/support/print_outcome.h"
 #include "verify/test/support/program.h"
 
@@ -27,6 +28,7 @@ using kernel::Question;
 using verify::Object_case;
 using verify::Outcome;
 using verify::Temporary_file;
+using verify::object_family::shared;
 using namespace std::chrono_literals;
 
 namespace {
@@ -69,6 +71,7 @@ for line in sys.stdin:
     elif mode == "endless":
         put({"ask": m["ask"], "answer": None})
         while True: print("again", file=sys.stderr)
+    elif mode == "declines": put({"why": "no idea", "answer": None, "ask": m["ask"]})
     elif x == 2 or mode in ("held", "forgetful", "banner", "once"): put({"ask": m["ask"], "answer": None})
     elif mode == "column": put({"ask": m["ask"], "answer": int(all(-1 <= a - b <= 1 for a, b in zip(m["pose_b"][9:], m["pose_a"][9:])))})
     elif mode == "twice":
@@ -87,21 +90,29 @@ const Temporary_file& program()
   return file;
 }
 
-std::string command(const std::string& mode = "")
-{
-  return "exec '" TETRACONE_PYTHON "' '" + program().path().native() + "' " + mode;
-}
+std::string python(const std::filesystem::path& file) { return "exec '" TETRACONE_PYTHON "' '" + file.native() + "' "; }
+
+std::string command(const std::string& mode = "") { return python(program().path()) + mode; }
 
 Object_case cubes(const Pose& pose_b)
 {
-  static const auto cube = std::make_shared<const covering::Polyhedron>(verify::unit_cube());
-  Object_case c;
-  c.a = c.b = cube;
-  c.pose_b = pose_b;
-  return c;
+  static const auto cube = shared(verify::unit_cube());
+  return {cube, cube, {}, pose_b, {}, {}, {}};
 }
 
 Object_case along(double x) { return cubes(Pose::translation(x, 0, 0)); }
+
+using Running = std::unique_ptr<verify::Running_subject>;
+
+Running started(const std::string& words = command(), std::chrono::milliseconds limit = 10s)
+{
+  return experiments::subject_command("mine", words, limit).make();
+}
+
+/// The answer about the surfaces of a cube and one that is moved by x.
+Outcome surface(const Running& running, double x) { return (*running)(along(x), Question::surface); }
+
+bool contains(const std::ostringstream& out, const std::string& part) { return verify::contains(out.str(), part); }
 
 std::string checked(const std::string& mode)
 {
@@ -115,15 +126,12 @@ std::string checked(const std::string& mode)
 
 BOOST_AUTO_TEST_CASE(its_time_is_what_it_tells_and_not_the_pipes)
 {
-  const auto mine = experiments::subject_command("mine", command(), 10s).make();
-  BOOST_TEST((*mine)(along(1), Question::surface) == Outcome::yes);
-  BOOST_TEST(!mine->spent());
-  BOOST_TEST((*mine)(along(9), Question::surface) == Outcome::yes);
-  BOOST_TEST_REQUIRE(mine->spent().has_value());
-  BOOST_TEST(mine->spent()->asking == 1234u);
-  BOOST_TEST(!mine->spent()->making);
-  BOOST_TEST((*mine)(along(10), Question::surface) == Outcome::yes);
-  BOOST_TEST(!mine->spent());
+  const Running mine = started();
+  for (const double x : {1, 9, 10}) {
+    BOOST_TEST(surface(mine, x) == Outcome::yes);
+    BOOST_TEST(mine->spent().has_value() == (x == 9));
+    if (x == 9) BOOST_TEST((mine->spent()->asking == 1234u && !mine->spent()->making));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(its_answers_are_taken_as_they_are)
@@ -133,7 +141,7 @@ BOOST_AUTO_TEST_CASE(its_answers_are_taken_as_they_are)
   BOOST_TEST(subject.command == command());
   BOOST_TEST(!subject.is_exact);
   const auto running = subject.make();
-  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+  BOOST_TEST(surface(running, 1) == Outcome::yes);
   BOOST_TEST((*running)(along(0), Question::solid) == Outcome::no);
   BOOST_TEST((*running)(along(2), Question::solid) == Outcome::not_asked);
   // A fraction comes as it is.
@@ -144,18 +152,18 @@ BOOST_AUTO_TEST_CASE(its_answers_are_taken_as_they_are)
 BOOST_AUTO_TEST_CASE(what_goes_wrong_is_a_failure_and_the_next_question_is_answered)
 {
   // 3 dies, 4 no JSON behind a brace, 6 another ask, 8 `true` for 1.
-  const auto running = experiments::subject_command("mine", command(), 10s).make();
+  const Running running = started();
   for (const double wrong : {3, 4, 6, 8, 3}) {
-    BOOST_TEST((*running)(along(wrong), Question::surface) == Outcome::failed, wrong);
-    BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes, wrong);
+    BOOST_TEST(surface(running, wrong) == Outcome::failed, wrong);
+    BOOST_TEST(surface(running, 1) == Outcome::yes, wrong);
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_failure_keeps_how_the_program_ended_and_its_last_words)
 {
   const auto left_by = [](const std::string& words) {
-    const auto running = experiments::subject_command("mine", words, 10s).make();  // all end by themselves
-    BOOST_TEST((*running)(along(1), Question::surface) == Outcome::failed, words);
+    const Running running = started(words);  // all end by themselves
+    BOOST_TEST(surface(running, 1) == Outcome::failed, words);
     const verify::Failure failure = running->failure();
     return failure.how + ": " + failure.said;
   };
@@ -167,9 +175,9 @@ BOOST_AUTO_TEST_CASE(a_failure_keeps_how_the_program_ended_and_its_last_words)
   const std::string wrong = left_by("echo hm >&2; echo Loaded.; echo {no JSON; exec sleep 60");
   BOOST_TEST((wrong.starts_with("wrong line: ") && wrong.ends_with("; hm")), wrong);
   // One who writes without end is silent all the same.
-  const auto running = experiments::subject_command("mine", command("endless"), 300ms).make();
-  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::not_asked);
-  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::failed);
+  const auto running = started(command("endless"), 300ms);
+  BOOST_TEST(surface(running, 1) == Outcome::not_asked);
+  BOOST_TEST(surface(running, 1) == Outcome::failed);
   BOOST_TEST(running->failure().how == "silent");
   BOOST_TEST(std::string("again").starts_with(running->failure().said));
   // More than a pipe holds, of which the last line counts.
@@ -178,22 +186,22 @@ BOOST_AUTO_TEST_CASE(a_failure_keeps_how_the_program_ended_and_its_last_words)
 
 BOOST_AUTO_TEST_CASE(silence_past_the_limit_is_a_failure)
 {
-  const auto running = experiments::subject_command("mine", command(), 300ms).make();
-  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+  const auto running = started(command(), 300ms);
+  BOOST_TEST(surface(running, 1) == Outcome::yes);
   const auto start = std::chrono::steady_clock::now();
-  BOOST_TEST((*running)(along(5), Question::surface) == Outcome::failed);
+  BOOST_TEST(surface(running, 5) == Outcome::failed);
   const auto took = std::chrono::steady_clock::now() - start;
   BOOST_TEST((took >= 300ms));
   BOOST_TEST((took < 20s));
   BOOST_TEST(running->failure().how == "silent");
   BOOST_TEST(running->failure().said == "thinking");
-  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+  BOOST_TEST(surface(running, 1) == Outcome::yes);
 }
 
 BOOST_AUTO_TEST_CASE(bodies_are_announced_once_and_forgotten_when_others_come)
 {
-  const auto running = experiments::subject_command("mine", command(), 10s).make();
-  const auto cube = cubes({}).a, box = std::make_shared<const covering::Polyhedron>(verify::box({0, 0, 0}, {1, 2, 3}));
+  const auto running = started();
+  const auto cube = cubes({}).a, box = shared(verify::box({0, 0, 0}, {1, 2, 3}));
   Object_case one = along(7), two = along(7);  // 7: whether the program has an odd number of bodies
   two.b = box;
   for (int k = 0; k < 3; ++k) {
@@ -210,8 +218,7 @@ BOOST_AUTO_TEST_CASE(a_command_that_cannot_be_run_is_refused_and_one_that_dies_i
   BOOST_CHECK_THROW(experiments::require_command("/dev/null", 1s), std::runtime_error);
   experiments::require_command("exit 3", 1s);
   experiments::require_command(command(), 10s);
-  BOOST_TEST((*experiments::subject_command("mine", "exit 3", 1s).make())(along(1), Question::surface) ==
-             Outcome::failed);
+  BOOST_TEST(surface(started("exit 3", 1s), 1) == Outcome::failed);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_that_it_started_outlives_it)
@@ -220,11 +227,8 @@ BOOST_AUTO_TEST_CASE(nothing_that_it_started_outlives_it)
   const Temporary_file number("child", "");
   const std::string grandchild = "sleep 600 & echo $! > '" + number.path().native() + "'; ";
   {
-    const auto running =
-        experiments::subject_command(
-            "mine", grandchild + "'" TETRACONE_PYTHON "' '" + program().path().native() + "'; true", 10s)
-            .make();
-    BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+    const Running running = started(grandchild + "'" TETRACONE_PYTHON "' '" + program().path().native() + "'; true");
+    BOOST_TEST(surface(running, 1) == Outcome::yes);
   }
   pid_t child = 0;
   std::ifstream(number.path()) >> child;
@@ -236,8 +240,7 @@ BOOST_AUTO_TEST_CASE(the_check_says_what_is_wrong)
 {
   const auto wrong = [](const std::string& mode, const std::string& what) {
     const std::string said = checked(mode);
-    BOOST_TEST(said.find("WRONG") != std::string::npos, mode);
-    BOOST_TEST(said.find(what) != std::string::npos, mode << ": " << said);
+    BOOST_TEST((verify::contains(said, "WRONG") && verify::contains(said, what)), mode << ": " << said);
   };
   wrong("held", "flushed");
   wrong("column", "poses are row-major");
@@ -248,14 +251,14 @@ BOOST_AUTO_TEST_CASE(the_check_says_what_is_wrong)
 
 BOOST_AUTO_TEST_CASE(lines_that_are_no_objects_are_skipped_and_counted)
 {
-  const auto running = experiments::subject_command("mine", command("banner"), 10s).make();
-  BOOST_TEST((*running)(along(2), Question::surface) == Outcome::not_asked);
+  const auto running = started(command("banner"));
+  BOOST_TEST(surface(running, 2) == Outcome::not_asked);
   BOOST_TEST(running->why_not_asked() == "declined");
   BOOST_TEST(running->skipped_lines() == 1u);
-  BOOST_TEST((*running)(along(2), Question::surface) == Outcome::not_asked);
+  BOOST_TEST(surface(running, 2) == Outcome::not_asked);
   BOOST_TEST(running->skipped_lines() == 0u);
   const std::string said = checked("banner");
-  BOOST_TEST(said.find("skipped 14 lines that do not begin with {") != std::string::npos, said);
+  BOOST_TEST(verify::contains(said, "skipped 14 lines that do not begin with {"), said);
 }
 
 BOOST_AUTO_TEST_CASE(a_hello_says_what_is_asked)
@@ -268,7 +271,7 @@ BOOST_AUTO_TEST_CASE(a_hello_says_what_is_asked)
     return (*running)(c, question) == Outcome::not_asked ? running->why_not_asked() : "asked";
   };
   Object_case tunnel = along(1);
-  tunnel.b = std::make_shared<const covering::Polyhedron>(verify::prism_with_tunnel());
+  tunnel.b = shared(verify::prism_with_tunnel());
   const Pose sheared(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
   // A question is declined: with a word the program declines all.
   BOOST_TEST(asked("solids", along(1), Question::surface) == "not taken");
@@ -283,22 +286,21 @@ BOOST_AUTO_TEST_CASE(a_hello_says_what_is_asked)
 
 BOOST_AUTO_TEST_CASE(a_program_is_asked_the_kinds_of_question_that_its_hello_names)
 {
-  const std::string questions =
-      "exec '" TETRACONE_PYTHON "' '" TETRACONE_SOURCE_DIR "/experiments/subjects/questions.py'";
+  const std::string questions = python(TETRACONE_SOURCE_DIR "/experiments/subjects/questions.py");
   auto subject = experiments::subject_command("mine", questions, 10s, experiments::require_command(questions, 10s));
   std::ostringstream out;
   BOOST_TEST(experiments::check_subject(questions, 10s, out), out.str());
   for (const char* kind : {"relation", "within", "distance", "inside", "ray", "first contact", "triangles"})
-    BOOST_TEST(out.str().find(std::string("takes  ") + kind) != std::string::npos, kind);
+    BOOST_TEST(contains(out, std::string("takes  ") + kind), kind);
 
   BOOST_TEST(experiments::tells_distances(subject));
   const auto running = subject.make();
   // A relation answers both questions: a cube in a cube has no common surface.
   Object_case in_another = along(0);
-  in_another.b = std::make_shared<const covering::Polyhedron>(verify::box({-1, -1, -1}, {2, 2, 2}));
+  in_another.b = shared(verify::box({-1, -1, -1}, {2, 2, 2}));
   BOOST_TEST(((*running)(in_another, Question::surface) == Outcome::no));
   BOOST_TEST(((*running)(in_another, Question::solid) == Outcome::yes));
-  BOOST_TEST(((*running)(along(1), Question::surface) == Outcome::yes));
+  BOOST_TEST((surface(running, 1) == Outcome::yes));
   BOOST_TEST(((*running)(along(1.5), Question::solid) == Outcome::no));
   const auto apart = along(3);
   const auto told = running->distance(apart, Question::solid);
@@ -309,11 +311,10 @@ BOOST_AUTO_TEST_CASE(a_program_is_asked_the_kinds_of_question_that_its_hello_nam
 
   verify::Probe_case probe{apart.a, {0.5, 0.5, 0.25}, {0, 0, 0}, {}};
   const auto points = experiments::point_command(subject, 10s)->make();
-  BOOST_TEST((*points)(probe).answer == 1);
-  probe.from[0] = 1;
-  BOOST_TEST((*points)(probe).answer == 0);
-  probe.from[0] = 2;
-  BOOST_TEST((*points)(probe).answer == -1);
+  for (const auto& [x, place] : {std::pair{0.5, 1}, {1, 0}, {2, -1}}) {
+    probe.from[0] = x;
+    BOOST_TEST((*points)(probe).answer == place);
+  }
   const auto rays = experiments::ray_command(subject, 10s)->make();
   probe.direction = {-2, 0, 0};
   auto hit = (*rays)(probe);
@@ -335,21 +336,15 @@ BOOST_AUTO_TEST_CASE(a_program_is_asked_the_kinds_of_question_that_its_hello_nam
   moving.motion_b[1][1] = 1;  // it turns
   BOOST_TEST(((*motions)(moving, Question::surface).outcome == Outcome::not_asked));
 
-  verify::Predicate_case pair{{kernel::Vertex{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
-                              {1, 1, 0},
-                              {2, 1, 1},
-                              {1, 2, 1},
-                              {},
-                              Pose::translation(0, 0, -0.5),
-                              {}};
+  verify::Predicate_case pair{
+      {kernel::Vertex{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {1, 1, 0}, {2, 1, 1}, {1, 2, 1}, {}, {}, {}};
   const auto triangles = experiments::triangle_command(subject, 10s)->make();
-  const auto of_pair = [&](verify::Predicate predicate) { return (*triangles)(pair, predicate); };
-  const auto crossing = of_pair(verify::Predicate::triangle_triangle);
-  BOOST_TEST((crossing.outcome == Outcome::yes && crossing.answer == 1));
-  pair.pose_b = Pose::translation(0, 0, 0.5);
-  const auto above = of_pair(verify::Predicate::triangle_triangle);
-  BOOST_TEST((above.outcome == Outcome::yes && above.answer == 0));
-  BOOST_TEST((of_pair(verify::Predicate::segment_triangle).outcome == Outcome::not_asked));
+  for (const int crosses : {1, 0}) {
+    pair.pose_b = Pose::translation(0, 0, crosses ? -0.5 : 0.5);
+    const auto told = (*triangles)(pair, verify::Predicate::triangle_triangle);
+    BOOST_TEST((told.outcome == Outcome::yes && told.answer == crosses));
+  }
+  BOOST_TEST(((*triangles)(pair, verify::Predicate::segment_triangle).outcome == Outcome::not_asked));
 
   // A program is asked of no other kind unless it names it.
   subject.hello = R"({"hello": 1, "questions": ["solid", "within"]})";
@@ -395,32 +390,27 @@ for asked, line in enumerate(sys.stdin):
     if asked: sys.exit(3)
     print(json.dumps({"ask": json.loads(line)["ask"], "answer": None}), flush=True)
 )");
-  const std::string words = "exec '" TETRACONE_PYTHON "' '" + ends.path().native() + "'";
+  const std::string words = python(ends.path());
   const auto subject = experiments::subject_command("mine", words, 10s, experiments::require_command(words, 10s));
   const auto running = experiments::triangle_command(subject, 10s)->make();
-  using verify::Predicate;
-  BOOST_TEST(((*running)(c, Predicate::triangle_triangle).outcome == Outcome::not_asked));
-  BOOST_TEST(((*running)(c, Predicate::triangle_triangle).outcome == Outcome::failed));
+  for (const Outcome expected : {Outcome::not_asked, Outcome::failed})
+    BOOST_TEST((*running)(c, verify::Predicate::triangle_triangle).outcome == expected);
   BOOST_TEST(running->failure().how == "status 3");
 }
 
 BOOST_AUTO_TEST_CASE(a_program_that_is_too_slow_is_not_asked_larger_bodies)
 {
-  const auto running = experiments::subject_command("mine", command(), 200ms).make();
-  Object_case large = along(1);
-  large.b = std::make_shared<const covering::Polyhedron>(verify::torus_knot(640));
+  const auto running = started(command(), 200ms);
+  Object_case large = along(1), slow = along(5);
+  large.b = slow.b = shared(verify::torus_knot(640));
   for (int k = 0; k < 3; ++k) {
     BOOST_TEST((*running)(large, Question::surface) != Outcome::not_asked, k);
-    Object_case slow = large;
-    slow.pose_b = along(5).pose_b;
     BOOST_TEST((*running)(slow, Question::surface) == Outcome::failed, k);
   }
-  Object_case slow = large;
-  slow.pose_b = along(5).pose_b;
   BOOST_TEST((*running)(slow, Question::surface) == Outcome::failed);
   BOOST_TEST((*running)(large, Question::surface) == Outcome::not_asked);
   BOOST_TEST(running->why_not_asked() == "too slow");
-  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+  BOOST_TEST(surface(running, 1) == Outcome::yes);
 }
 
 BOOST_AUTO_TEST_CASE(the_lines_tell_triangles_and_rigid_motions)
@@ -437,8 +427,7 @@ BOOST_AUTO_TEST_CASE(the_lines_tell_triangles_and_rigid_motions)
   BOOST_TEST(!lines::rigid_motion(Pose(std::array<double, 12>{1, 1e-11, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0})));
   const Pose sheared(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
   const std::string ask = lines::ask(1, 0, 0, {}, sheared, Question::solid);
-  BOOST_TEST(ask.find("\"rigid_a\":[1,0,0,0,0,0,0]") != std::string::npos, ask);
-  BOOST_TEST(ask.find("rigid_b") == std::string::npos, ask);
+  BOOST_TEST((verify::contains(ask, "\"rigid_a\":[1,0,0,0,0,0,0]") && !verify::contains(ask, "rigid_b")), ask);
   BOOST_TEST(lines::batch({"{\"ask\":1}\n", "{\"ask\":2}\n"}) == "{\"asks\":[{\"ask\":1},{\"ask\":2}]}\n");
   const auto replies = lines::read_batch(R"({"answers": [{"ask": 4, "answer": 1}, {"ask": 5, "answer": null}]})", 4, 2);
   BOOST_TEST_REQUIRE(replies.size() == 2u);
@@ -448,16 +437,9 @@ BOOST_AUTO_TEST_CASE(the_lines_tell_triangles_and_rigid_motions)
 
 BOOST_AUTO_TEST_CASE(a_program_that_declines_all_follows_the_protocol)
 {
-  const Temporary_file declines("declines.py", R"(
-import json, sys
-for line in sys.stdin:
-    m = json.loads(line)
-    if "ask" in m: print(json.dumps({"why": "no idea", "answer": None, "ask": m["ask"]}), flush=True)
-)");
-  std::ostringstream out;
-  BOOST_TEST(experiments::check_subject("'" TETRACONE_PYTHON "' '" + declines.path().native() + "'", 10s, out),
-             out.str());
-  BOOST_TEST(out.str().find("declined 30 of 30 questions") != std::string::npos, out.str());
+  const std::string said = checked("declines");
+  BOOST_TEST(!verify::contains(said, "WRONG"), said);
+  BOOST_TEST(verify::contains(said, "declined 30 of 30 questions"), said);
 }
 
 BOOST_AUTO_TEST_CASE(the_examples_follow_the_protocol)
@@ -473,8 +455,8 @@ BOOST_AUTO_TEST_CASE(the_examples_follow_the_protocol)
     BOOST_TEST(experiments::check_subject(words, 10s, out), name << ":\n" << out.str());
     // Surfaces of the cubes are asked of all.
     const auto running = experiments::subject_command(name, words, 10s).make();
-    BOOST_TEST((*running)(along(0.5), Question::surface) == Outcome::yes, name);
-    BOOST_TEST((*running)(along(1.5), Question::surface) == Outcome::no, name);
+    BOOST_TEST(surface(running, 0.5) == Outcome::yes, name);
+    BOOST_TEST(surface(running, 1.5) == Outcome::no, name);
   };
   for (const char* name : {"plain_sat", "embree_rays"})
     example(name, "exec '" + (folder / name).native() + "'", std::filesystem::exists(folder / name));
@@ -484,14 +466,13 @@ BOOST_AUTO_TEST_CASE(the_examples_follow_the_protocol)
   example("plugin_edges", plugged, std::filesystem::exists(folder / "plugin_edges.so"));
   if (std::filesystem::exists(folder / "plugin_edges.so")) {
     const auto running = experiments::subject_command("plugin", plugged, 10s).make();
-    BOOST_TEST((*running)(along(0.5), Question::surface) == Outcome::yes);
+    BOOST_TEST(surface(running, 0.5) == Outcome::yes);
     BOOST_TEST_REQUIRE(running->spent().has_value());
     BOOST_TEST(running->spent()->asking > 0u);
     BOOST_TEST((*running)(along(0.5), Question::solid) == Outcome::not_asked);
     BOOST_TEST((!experiments::require_command("exec '" + (folder / "plugin_host").native() + "' /dev/null", 10s)));
   }
-  const std::string numpy = std::string(TETRACONE_SOURCE_DIR) + "/experiments/subjects/numpy_edges.py";
-  example("numpy_edges", "exec '" TETRACONE_PYTHON "' '" + numpy + "'",
+  example("numpy_edges", python(TETRACONE_SOURCE_DIR "/experiments/subjects/numpy_edges.py"),
           std::system("'" TETRACONE_PYTHON "' -c 'import numpy' 2> /dev/null") == 0);
 }
 

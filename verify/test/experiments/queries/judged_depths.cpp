@@ -8,7 +8,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
-#include <optional>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_judged_depths)

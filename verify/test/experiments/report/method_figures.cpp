@@ -51,11 +51,4 @@ BOOST_AUTO_TEST_CASE(every_picture_is_drawn_from_data_that_agree)
       BOOST_TEST(fs::file_size(out / "figures" / ("method_" + name + ending)) > 3000u, name);
 }
 
-BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_refused_before_the_work)
-{
-  const Temporary_file file("no_folder", "");
-  for (const std::string name : {"method", "sign-maps", "stability", "compilers", "dataset"})
-    check_refused("experiment " + name + " --out " + in_quotes(file.path() / "out"), "cannot be made");
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_trajectory)
 
@@ -89,19 +90,15 @@ BOOST_AUTO_TEST_CASE(few_frames_get_the_nearest_whole_number)
 BOOST_AUTO_TEST_CASE(a_seed_means_the_same_poses_each_time)
 {
   const Scene& scene = scenes()[0];
-  const auto circle = [&](std::uint64_t seed) {
-    return hash(circular_trajectory(scene.a, scene.b, 2, 60, seed, scene.collides));
-  };
-  const auto contour = [&](std::uint64_t seed) {
-    return hash(contour_trajectory(scene.a, scene.b, 2, 60, seed, scene.collides));
-  };
-  BOOST_TEST(circle(1) == circle(1));
-  BOOST_TEST(circle(1) != circle(2));
-  BOOST_TEST(contour(1) == contour(1));
-  BOOST_TEST(contour(1) != contour(2));
   // The trajectories are equal on every machine, too.
-  BOOST_TEST(circle(1) == 2464733422047427051u);
-  BOOST_TEST(contour(1) == 16816156988353229294u);
+  for (const auto& [trajectory, expected] :
+       {std::pair(&circular_trajectory, 2464733422047427051u), std::pair(&contour_trajectory, 16816156988353229294u)}) {
+    const auto of = [&](std::uint64_t seed) {
+      return hash(trajectory(scene.a, scene.b, 2, 60, seed, scene.collides, Turning::yes));
+    };
+    BOOST_TEST(of(1) == expected);
+    BOOST_TEST(of(1) != of(2));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_scale_is_in_the_pose)
@@ -149,12 +146,11 @@ BOOST_AUTO_TEST_CASE(a_smooth_walk_of_more_frames_is_the_same_way_in_smaller_ste
 BOOST_AUTO_TEST_CASE(one_that_never_collides_ends_all_the_same)
 {
   const Scene& scene = scenes()[0];
-  const Collides never = [](const Pose&) { return false; };
-  BOOST_TEST(circular_trajectory(scene.a, scene.b, 1, 100, 1, never).size() == 100u);
-  BOOST_TEST(contour_trajectory(scene.a, scene.b, 1, 100, 1, never).size() == 100u);
-  const Collides always = [](const Pose&) { return true; };
-  BOOST_TEST(circular_trajectory(scene.a, scene.b, 1, 100, 1, always).size() == 100u);
-  BOOST_TEST(contour_trajectory(scene.a, scene.b, 1, 100, 1, always).size() == 100u);
+  for (const bool collides : {false, true})
+    for (const auto trajectory : {&circular_trajectory, &contour_trajectory})
+      BOOST_TEST(trajectory(
+                     scene.a, scene.b, 1, 100, 1, [=](const Pose&) { return collides; }, Turning::yes)
+                     .size() == 100u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -26,22 +26,12 @@
 #include <span>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_body_file)
 
 namespace scenes = tetracone::verify::scenes;
-namespace verify = tetracone::verify;
-using tetracone::Body;
-using tetracone::Error;
-using tetracone::Location;
-using tetracone::Polyhedron;
-using tetracone::Pose;
-using tetracone::Query;
-using tetracone::Question;
-using tetracone::read_body;
-using tetracone::save_body;
+using namespace tetracone;
 using tetracone::tetratree::Bvh8_node;
 
 namespace {

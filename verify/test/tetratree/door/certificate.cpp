@@ -16,15 +16,7 @@
 BOOST_AUTO_TEST_SUITE(test_certificate)
 
 namespace scenes = tetracone::verify::scenes;
-using tetracone::Body;
-using tetracone::Certificate;
-using tetracone::Error;
-using tetracone::Location;
-using tetracone::Motion;
-using tetracone::Query;
-using tetracone::Question;
-using tetracone::Ray;
-using tetracone::Relation;
+using namespace tetracone;
 using tetracone::kernel::Pose;
 using tetracone::verify::Temporary_file;
 

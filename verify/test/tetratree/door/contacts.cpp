@@ -1,7 +1,7 @@
 #include "tetracone/tetratree/door/contacts.h"
 
 #include "tetracone/tetratree/door/tetracone.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/test/support/self_touching.h"
 
 #include <boost/test/unit_test.hpp>
@@ -142,9 +142,7 @@ BOOST_AUTO_TEST_CASE(normals_point_outward_under_every_pose_and_are_enclosed)
 
 BOOST_AUTO_TEST_CASE(a_face_without_area_has_no_normal)
 {
-  Polyhedron needle;
-  needle.vertices = {{0, 0, 0.5}, {0.5, 0.5, 0.5}, {2, 2, 0.5}};
-  needle.add_polygon({0, 1, 2});
+  const Polyhedron needle = scenes::polygon({{0, 0, 0.5}, {0.5, 0.5, 0.5}, {2, 2, 0.5}});
   Query query{Body(cube), Body(needle), Question::surface};
   const Contacts contacts = query.contacts(Pose(), Pose());
   BOOST_TEST_REQUIRE(!contacts.empty());

@@ -1,6 +1,6 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/tetracone.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -25,9 +25,6 @@ BOOST_AUTO_TEST_CASE(normals_are_the_nearest_doubles)
   for (int round = 0; round < 200; ++round) {
     std::array<scenes::Vertex, 3> t;
     for (scenes::Vertex& v : t) v = scenes::grid_vertex(random, 9);
-    Polyhedron triangle;
-    triangle.vertices = {t[0], t[1], t[2]};
-    triangle.add_polygon({0, 1, 2});
     std::array<long, 3> e, f, n;
     for (int k = 0; k < 3; ++k) {
       e[k] = long(t[1][k] - t[0][k]);
@@ -38,7 +35,7 @@ BOOST_AUTO_TEST_CASE(normals_are_the_nearest_doubles)
       n[k] = e[(k + 1) % 3] * f[(k + 2) % 3] - e[(k + 2) % 3] * f[(k + 1) % 3];
       square += n[k] * n[k];
     }
-    const auto normal = Body(triangle).normal(0);
+    const auto normal = Body(scenes::polygon({t[0], t[1], t[2]})).normal(0);
     for (int k = 0; k < 3; ++k) {
       BOOST_TEST((normal[k] > 0) == (n[k] > 0));
       BOOST_TEST((normal[k] < 0) == (n[k] < 0));

@@ -1,14 +1,13 @@
 #include "tetracone/tetratree/fast/bvh8.h"
 
 #include "tetracone/covering/repair/repair.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <functional>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8)
@@ -23,15 +22,15 @@ namespace {
 std::vector<Polyhedron> bodies()
 {
   Random random(1);
-  std::vector<Polyhedron> all = {unit_cube(),  cube_with_cavity(),        cube_with_tunnel(),
-                                 star_prism(), blob(random, 4, 0.5, 1.5), random_tetrahedra(random, 30, 9)};
-  all.push_back(moved(unit_cube(), 0x1p-200, {0, 0, 0}));
-  all.push_back(moved(unit_cube(), 1, {0x1p40, 0, 0}));
-  Polyhedron dot;
-  dot.vertices = {{1, 2, 3}};
-  dot.add_polygon({0});
-  all.push_back(dot);
-  return all;
+  return {unit_cube(),
+          cube_with_cavity(),
+          cube_with_tunnel(),
+          star_prism(),
+          blob(random, 4, 0.5, 1.5),
+          random_tetrahedra(random, 30, 9),
+          moved(unit_cube(), 0x1p-200),
+          moved(unit_cube(), 1, {0x1p40, 0, 0}),
+          polygon({{1, 2, 3}})};
 }
 
 }  // namespace
@@ -57,6 +56,7 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
             tree.for_vertices(tree.element({n, lane}, k), [&](Index v) { corners.push_back(v); });
         } else {
           const Index child = tree.child({n, lane});
+          BOOST_TEST(std::size_t(tree.node(child).boxes.lane_count) <= options.parts);
           for (int k = 0; k < tree.node(child).boxes.lane_count; ++k)
             for (const Index v : visit(child, k)) corners.push_back(v);
         }

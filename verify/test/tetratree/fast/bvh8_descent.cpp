@@ -2,14 +2,13 @@
 
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/query/placed_bvh8.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/test/support/simd_versions.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -200,10 +199,7 @@ BOOST_AUTO_TEST_CASE(children_that_are_made_on_the_way_change_nothing)
 
 BOOST_AUTO_TEST_CASE(a_pair_of_leaves_is_handed_back_at_once_and_an_empty_stack_too)
 {
-  Polyhedron one;
-  one.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  one.add_polygon({0, 1, 2});
-  Bvh8 tree(one);
+  Bvh8 tree(polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
   Placed_bvh8 a(tree), b(tree);
   a.into_other = b.into_other = kernel::Box_map(Pose(), tree.scale(), Pose(), tree.scale());
   Both_trees trees{{tree.nodes(), tree.nodes()}, {&a.into_other, &b.into_other}, 1};

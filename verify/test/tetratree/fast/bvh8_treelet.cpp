@@ -4,7 +4,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <functional>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8_treelet)
@@ -71,30 +70,6 @@ BOOST_AUTO_TEST_CASE(nodes_of_any_count_of_elements_are_well_filled)
       for (Index e = 0; e < elements.count(); ++e) faces[elements[e].face] = true;
       BOOST_TEST(std::ranges::count(faces, true) == std::ptrdiff_t(body->face_count()));
     }
-}
-
-BOOST_AUTO_TEST_CASE(leaves_and_nodes_hold_no_more_than_they_may)
-{
-  Random random(2);
-  const Polyhedron body = blob(random, 4, 0.5, 1.5);
-  for (const Bvh8_options& options : {Bvh8_options{.parts = 2}, Bvh8_options{.parts = 5, .leaf_size = 3}}) {
-    Bvh8_elements elements(body, {});
-    std::vector<Index> ends(elements.count(), 0);
-    Bvh8_treelet treelet(elements, options, ends);
-    Nodes nodes;
-    treelet.make(0, 50, nodes);
-    for (const Bvh8_node& node : nodes.all) {
-      BOOST_TEST(node.boxes.lane_count >= 2);
-      BOOST_TEST(std::size_t(node.boxes.lane_count) <= options.parts);
-    }
-    Index next = 0;
-    for (const Index first : nodes.below(0)) {
-      BOOST_TEST(first == next);
-      BOOST_TEST(ends[first] - first <= options.leaf_size);
-      next = ends[first];
-    }
-    BOOST_TEST(next == 50u);
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

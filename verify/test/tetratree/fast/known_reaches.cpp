@@ -52,17 +52,6 @@ BOOST_AUTO_TEST_CASE(what_is_known_is_not_found_again)
   BOOST_TEST(known.bytes() > 0u);
 }
 
-BOOST_AUTO_TEST_CASE(tables_of_a_tree_and_of_another_of_the_body_have_the_same_bounds)
-{
-  Random random(1);
-  for (const Polyhedron& body : {unit_cube(), blob(random, 4, 0.5, 1.5), star_prism(), torus(20, 9)}) {
-    const Bvh8 tree(body), other(body);
-    const std::vector<float> first = bounds_of(tree);
-    BOOST_TEST((first == bounds_of(tree)));
-    BOOST_TEST((first == bounds_of(other)));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(threads_that_ask_at_once_find_the_same)
 {
   Random random(2);

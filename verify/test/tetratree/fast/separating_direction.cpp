@@ -2,8 +2,7 @@
 
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/motion/motion_span.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/placed_boxes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -26,21 +25,14 @@ struct Placed {
   Pose pose_a, pose_b;
 };
 
-bool told_apart_by(Separating_direction& separation, const Placed& p, int steps)
+bool told_apart_by(Separating_direction& separation, const Placed& p, int steps, bool again = false)
 {
-  return separation(p.pose_a, p.pose_b, steps, false);
-}
-bool told_apart_again(Separating_direction& separation, const Placed& p, int steps)
-{
-  return separation(p.pose_a, p.pose_b, steps, true);
+  return separation(p.pose_a, p.pose_b, steps, again);
 }
 
 Pose plus(const Pose& pose, const std::array<Rational, 3>& t)
 {
-  std::array<Rational, 12> entries;
-  for (int k = 0; k < 12; ++k) entries[k] = pose.exact(k);
-  for (int i = 0; i < 3; ++i) entries[4 * i + 3] += t[i];
-  return Pose(entries);
+  return composed(Pose(std::array<Rational, 12>{1, 0, 0, t[0], 0, 1, 0, t[1], 0, 0, 1, t[2]}), pose);
 }
 
 /// The pose moved so that vertex v of the body comes, exactly, to `to`.
@@ -81,8 +73,6 @@ Index farthest(const Polyhedron& body, const Pose& pose, const kernel::Vector& d
                body.vertices.begin());
 }
 
-kernel::Vector vector(Random& random) { return {real(random, -1, 1), real(random, -1, 1), real(random, -1, 1)}; }
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(bodies_that_touch_in_one_vertex_are_never_apart)
@@ -111,8 +101,8 @@ BOOST_AUTO_TEST_CASE(bodies_that_touch_in_one_vertex_are_never_apart)
         std::array<Rational, 3> step;
         for (int i = 0; i < 3; ++i) step[i] = Rational(direction[i]) / 64;
         a_hair += told_apart_by(separation, Placed{plus(pose_a, step), pose_b}, 50);
-        told_apart += told_apart_again(separation, touching, 1);
-        told_apart += told_apart_again(separation, touching, 8);
+        told_apart += told_apart_by(separation, touching, 1, true);
+        told_apart += told_apart_by(separation, touching, 8, true);
       }
     }
   BOOST_TEST(told_apart == 0);
@@ -221,7 +211,7 @@ BOOST_AUTO_TEST_CASE(bodies_clearly_apart_are_told_apart)
         ++tried;
         const auto apart = Placed{plus(pose_a, t), pose_b};
         missed += !told_apart_by(separation, apart, 4);
-        missed_again += !told_apart_again(separation, apart, 1);
+        missed_again += !told_apart_by(separation, apart, 1, true);
       }
     }
   BOOST_TEST(missed == 0);
@@ -250,7 +240,7 @@ BOOST_AUTO_TEST_CASE(a_stale_direction_under_huge_poses_stays_sound)
       told += told_apart_by(
           separation,
           Placed{Pose(), translation(std::ldexp(2, length), std::ldexp(-1, length), std::ldexp(-1, length))}, 3);
-      told_apart += told_apart_again(separation, touching, 1);
+      told_apart += told_apart_by(separation, touching, 1, true);
       told_apart += told_apart_by(separation, touching, 3);
     }
   }
@@ -270,7 +260,7 @@ BOOST_AUTO_TEST_CASE(far_away_huge_tiny_and_unknown_it_ends_and_says_nothing_wro
       const Pose rotation =
           k % 3 == 0 ? Pose() : random_rotation(random, 5, {Rational(std::ldexp(1.0, k % 7 * 20)), 0, 0});
       told_apart += told_apart_by(separation, Placed{rotation, rotation}, 1 + k % 30);
-      told_apart += told_apart_again(separation, Placed{rotation, rotation}, 30);
+      told_apart += told_apart_by(separation, Placed{rotation, rotation}, 30, true);
       if (size < 0x1p-31 || size > 1) continue;  // beyond a large one the gap is too small for floats
       ++apart;
       told += told_apart_by(separation, Placed{plus(Pose(), {Rational(2), 0, 0}), Pose()}, 4);
@@ -280,7 +270,7 @@ BOOST_AUTO_TEST_CASE(far_away_huge_tiny_and_unknown_it_ends_and_says_nothing_wro
       const Pose pose(
           std::array<double, 12>{huge, -huge, huge, huge, huge, huge, -huge, -huge, -huge, huge, huge, huge});
       BOOST_TEST(!told_apart_by(separation, Placed{pose, Pose()}, 4));
-      BOOST_TEST(!told_apart_again(separation, Placed{pose, pose}, 4));
+      BOOST_TEST(!told_apart_by(separation, Placed{pose, pose}, 4, true));
     }
   }
   BOOST_TEST(told_apart == 0);
@@ -304,10 +294,10 @@ BOOST_AUTO_TEST_CASE(the_last_direction_tells_where_the_way_between_origins_does
   Separating_direction separation(a.tree, b.tree);
   const Placed shifted{Pose(), translation(0.5, 0.25, 0.0625)};
   BOOST_TEST(!told_apart_by(separation, shifted, 1));
-  BOOST_TEST(!told_apart_again(separation, shifted, 1));  // nothing was apart, so nothing is remembered
+  BOOST_TEST(!told_apart_by(separation, shifted, 1, true));  // nothing was apart, so nothing is remembered
   BOOST_TEST(told_apart_by(separation, Placed{Pose(), translation(0, 0, 1)}, 1));
-  BOOST_TEST(told_apart_again(separation, shifted, 1));
-  BOOST_TEST(told_apart_again(separation, shifted, 1));
+  BOOST_TEST(told_apart_by(separation, shifted, 1, true));
+  BOOST_TEST(told_apart_by(separation, shifted, 1, true));
   BOOST_TEST(!told_apart_by(separation, shifted, 1));
 }
 

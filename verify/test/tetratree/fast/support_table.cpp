@@ -1,13 +1,12 @@
 #include "tetracone/tetratree/fast/support_table.h"
 
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_support_table)
@@ -30,11 +29,8 @@ std::vector<Named> bodies()
                             {"tetrahedra", random_tetrahedra(random, 30, 9)},
                             {"tiny", moved(unit_cube(), 0x1p-200)},
                             {"far", moved(unit_cube(), 1, {0x1p40, 0, 0})},
-                            {"thin", box({0, 0, 0}, {1, 1e-6, 1e-12})}};
-  Polyhedron dot;
-  dot.vertices = {{1, 2, 3}};
-  dot.add_polygon({0});
-  all.push_back({"dot", dot});
+                            {"thin", box({0, 0, 0}, {1, 1e-6, 1e-12})},
+                            {"dot", polygon({{1, 2, 3}})}};
   return all;
 }
 
@@ -42,30 +38,17 @@ std::vector<Named> bodies()
 /// each.
 Direction direction(Random& random, int kind)
 {
+  const int way = kind % 6, axis = integer(random, 0, 2), i = integer(random, 0, 16), j = integer(random, 0, 16 - i);
   Direction d;
-  switch (kind % 6) {
-    case 0: d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))}; break;
-    case 1:
-      d = {0, 0, 0};
-      d[integer(random, 0, 2)] = random() % 2 ? 1 : -1;
-      break;
-    case 2:
-      d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))};
-      d[integer(random, 0, 2)] = random() % 2 ? 0.0f : -0.0f;
-      break;
-    case 3:
-    case 4: {  // of the lattice, or between two of its directions
-      const int i = integer(random, 0, 16), j = integer(random, 0, 16 - i);
-      d = {float(16 - i - j), float(i), float(j)};
-      if (kind % 6 == 4) d[integer(random, 0, 2)] += float(real(random, 0, 1));
-      for (float& x : d) x *= random() % 2 ? 1 : -1;
-      break;
-    }
-    default: {
-      const int i = integer(random, 0, 16), j = integer(random, 0, 16 - i);
-      d = {float(16 - i - j), float(i), float(j)};
-      for (float& x : d) x = std::nextafter(x, float(integer(random, -1, 1)));
-    }
+  for (float& x : d) x = float(real(random, -1, 1));
+  if (way == 1) d = {0, 0, 0};
+  if (way >= 3) d = {float(16 - i - j), float(i), float(j)};
+  if (way == 1) d[axis] = random() % 2 ? 1 : -1;
+  if (way == 2) d[axis] = random() % 2 ? 0.0f : -0.0f;
+  if (way == 4) d[axis] += float(real(random, 0, 1));  // between two directions of the lattice
+  for (float& x : d) {
+    if (way == 3 || way == 4) x *= random() % 2 ? 1 : -1;
+    if (way == 5) x = std::nextafter(x, float(integer(random, -1, 1)));
   }
   if (d[0] == 0 && d[1] == 0 && d[2] == 0) d[0] = 1;
   const float scale = std::ldexp(1.0f, integer(random, -60, 60));
@@ -200,28 +183,6 @@ BOOST_AUTO_TEST_CASE(what_is_not_known_has_no_finite_reach)
   BOOST_TEST(not_found == 0);
   BOOST_TEST(knows == 0);
   BOOST_TEST(does_not_know == 0);
-}
-
-BOOST_AUTO_TEST_CASE(in_the_lattices_own_directions_the_bound_is_the_reach_and_the_point_has_it)
-{
-  for (const auto& [name, body] : bodies()) {
-    Bvh8 tree(body);
-    Support_table table(tree);
-    BOOST_TEST_INFO_SCOPE(name);
-    int off = 0, short_of = 0;
-    for (int octant = 0; octant < 8; ++octant)
-      for (int i = 0; i <= 16; ++i)
-        for (int j = 0; i + j <= 16; ++j) {
-          const Direction d = {(octant & 1 ? -1.0f : 1.0f) * float(16 - i - j), (octant & 2 ? -1.0f : 1.0f) * float(i),
-                               (octant & 4 ? -1.0f : 1.0f) * float(j)};
-          const auto found = support(table, d);
-          const double exact = reach(tree, d), slack = double(Support_table::slack) * 16;
-          off += std::abs(found.bound - exact) > slack;
-          short_of += std::abs(along(d, found.point) - exact) > 4 * slack;
-        }
-    BOOST_TEST(off == 0);
-    BOOST_TEST(short_of == 0);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(asked_again_or_by_another_table_the_answer_is_the_same)

@@ -6,9 +6,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
-#include <cmath>
 #include <limits>
-#include <thread>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_point_locator)

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,26 +53,15 @@ struct Walk {
   std::function<Pose(int)> pose_a, pose_b;
 };
 
-const Body& blob_body()
+struct Bodies {
+  Body blob, tunnel{cube_with_tunnel()}, cavity{cube_with_cavity()}, small{cube(0.5)};
+
+  explicit Bodies(Random random) : blob(tetracone::verify::scenes::blob(random, 3, 0.8, 1.2)) {}
+};
+const Bodies& bodies()
 {
-  Random random(3);
-  static const Body body(blob(random, 3, 0.8, 1.2));
-  return body;
-}
-const Body& tunnel_body()
-{
-  static const Body body(cube_with_tunnel());
-  return body;
-}
-const Body& cavity_body()
-{
-  static const Body body(cube_with_cavity());
-  return body;
-}
-const Body& small_body()
-{
-  static const Body body(cube(0.5));
-  return body;
+  static const Bodies all{Random(3)};
+  return all;
 }
 
 /// Smooth ones along contact, through it, and inside. Others have jumps, rests, restarts, and steps of the size of
@@ -88,40 +76,42 @@ std::vector<Walk> walks()
     };
   };
   std::vector<Walk> all;
-  all.push_back({"along", &blob_body(), &blob_body(), 160, still, along(0.002, 2.1)});
-  all.push_back({"through", &blob_body(), &blob_body(), 120, still,
+  all.push_back({"along", &bodies().blob, &bodies().blob, 160, still, along(0.002, 2.1)});
+  all.push_back({"through", &bodies().blob, &bodies().blob, 120, still,
                  [](int k) { return rotated(0.01 * k, 2.3 - 0.008 * k, 0.1, 0.2); }});
-  all.push_back({"both move", &blob_body(), &tunnel_body(), 100, along(0.003, 0.2),
+  all.push_back({"both move", &bodies().blob, &bodies().tunnel, 100, along(0.003, 0.2),
                  [](int k) { return rotated(-0.004 * k, 3.6 - 0.002 * k, 0.3, -0.1); }});
-  all.push_back({"in the tunnel", &tunnel_body(), &small_body(), 160, still,
+  all.push_back({"in the tunnel", &bodies().tunnel, &bodies().small, 160, still,
                  [](int k) { return rotated(0.001 * k, 0.3 * std::sin(0.01 * k), 0.2, 5 - 0.06 * k); }});
-  all.push_back({"in the cavity", &cavity_body(), &small_body(), 160, still,
+  all.push_back({"in the cavity", &bodies().cavity, &bodies().small, 160, still,
                  [](int k) { return rotated(0.01 * k, 1.8 * std::sin(0.02 * k), 1.2, -1); }});
-  all.push_back({"inside", &cavity_body(), &small_body(), 80, still,
+  all.push_back({"inside", &bodies().cavity, &bodies().small, 80, still,
                  [](int k) { return rotated(0.002 * k, 2.5 + 0.004 * k, 0, 0, 0.2); }});
-  all.push_back({"inside, the other way", &small_body(), &cavity_body(), 80,
+  all.push_back({"inside, the other way", &bodies().small, &bodies().cavity, 80,
                  [](int k) { return rotated(0.002 * k, 2.5 + 0.004 * k, 0, 0, 0.2); }, still});
-  all.push_back({"jumps", &blob_body(), &tunnel_body(), 120, still,
+  all.push_back({"jumps", &bodies().blob, &bodies().tunnel, 120, still,
                  [along](int k) { return k % 10 == 0 ? along(1, 4)(k) : along(0.002, 3.3)(k); }});
-  all.push_back({"rests", &blob_body(), &blob_body(), 60, still, [along](int k) { return along(0.002, 2.1)(k / 8); }});
-  all.push_back({"coarse", &blob_body(), &blob_body(), 300, still, along(0.3, 2.05)});
-  all.push_back({"fractions", &blob_body(), &small_body(), 60, still, [](int k) {
+  all.push_back(
+      {"rests", &bodies().blob, &bodies().blob, 60, still, [along](int k) { return along(0.002, 2.1)(k / 8); }});
+  all.push_back({"coarse", &bodies().blob, &bodies().blob, 300, still, along(0.3, 2.05)});
+  all.push_back({"fractions", &bodies().blob, &bodies().small, 60, still, [](int k) {
                    return Pose::from_quaternion(9, 1, 2, 3, {Rational(1400 + k) / 1000, Rational(1) / 7, 0});
                  }});
-  all.push_back(
-      {"grows", &blob_body(), &blob_body(), 60, still, [](int k) { return rotated(0.3, 2.6, 0.1, 0, 1 + 0.008 * k); }});
-  all.push_back({"sheared now and then", &blob_body(), &small_body(), 80, still, [](int k) {
+  all.push_back({"grows", &bodies().blob, &bodies().blob, 60, still,
+                 [](int k) { return rotated(0.3, 2.6, 0.1, 0, 1 + 0.008 * k); }});
+  all.push_back({"sheared now and then", &bodies().blob, &bodies().small, 80, still, [](int k) {
                    auto m = rotated(0.002 * k, 1.6 - 0.002 * k, 0, 0.1).entries();
                    if (k % 9 > 5) m[1] += 0.3;
                    if (k % 13 == 0) m[8] = -m[8];
                    return Pose(m);
                  }});
-  all.push_back({"mirrored", &blob_body(), &blob_body(), 60, still, [](int k) {
+  all.push_back({"mirrored", &bodies().blob, &bodies().blob, 60, still, [](int k) {
                    auto m = rotated(0.004 * k, 2.1 - 0.001 * k, 0, 0).entries();
                    for (int i = 0; i < 3; ++i) m[4 * i] = -m[4 * i];
                    return Pose(m);
                  }});
-  all.push_back({"far off", &blob_body(), &blob_body(), 60, [](int k) { return rotated(0.01 * k, 1e9, 1e9 + k, 3e8); },
+  all.push_back({"far off", &bodies().blob, &bodies().blob, 60,
+                 [](int k) { return rotated(0.01 * k, 1e9, 1e9 + k, 3e8); },
                  [](int k) { return rotated(0.01 * k + 0.001 * k, 1e9 + 2.1, 1e9 + k, 3e8); }});
   return all;
 }
@@ -263,7 +253,7 @@ BOOST_AUTO_TEST_CASE(every_pair_of_elements_is_below_an_entry_that_holds_or_is_t
 
 BOOST_AUTO_TEST_CASE(small_steps_cost_a_few_tests_and_large_ones_no_more_than_without)
 {
-  const Body& body = blob_body();
+  const Body& body = bodies().blob;
   for (const double step : {0.0002, 0.3}) {
     Bvh8_collision<> none(body.tree, body.tree), last(body.tree, body.tree, Coherence::last_frame);
     for (int k = 0; k < 600; ++k) {
@@ -285,7 +275,7 @@ BOOST_AUTO_TEST_CASE(bodies_at_rest_are_asked_nothing_again)
 {
   // In the tunnel, where no plane is between them.
   Pair_memory memory = Pair_memory::with_front();
-  Bvh8_collision<> tunnel(tunnel_body().tree, small_body().tree);
+  Bvh8_collision<> tunnel(bodies().tunnel.tree, bodies().small.tree);
   const Pose inside = rotated(0.1, 0.2, 0.1, 1);
   for (int k = 0; k < 3; ++k)
     BOOST_TEST((tunnel.relation(Pose(), inside, Question::solid, &memory) == Relation::apart));
@@ -321,7 +311,7 @@ BOOST_AUTO_TEST_CASE(a_body_that_passes_a_wall_between_two_poses_is_no_longer_wh
 
 BOOST_AUTO_TEST_CASE(no_map_that_is_unknown_or_no_similarity_certifies)
 {
-  const Body& body = blob_body();
+  const Body& body = bodies().blob;
   const auto certifies = [&](const Pose& a, const Pose& b) {
     const kernel::Local_scale& units = body.tree.scale();
     const kernel::Box_map of_a(b, units, a, units), of_b(a, units, b, units);

@@ -13,16 +13,12 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <string>
 #include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_depth_search)
 
 namespace scenes = tetracone::verify::scenes;
-using tetracone::Body;
-using tetracone::Depth;
-using tetracone::Polyhedron;
-using tetracone::Query;
+using namespace tetracone;
 
 using tetracone::kernel::Pose;
 using tetracone::kernel::Rational;

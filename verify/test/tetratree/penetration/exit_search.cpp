@@ -9,23 +9,14 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_exit_search)
 
 namespace scenes = tetracone::verify::scenes;
-using tetracone::Body;
-using tetracone::Error;
-using tetracone::Exits;
-using tetracone::Index;
-using tetracone::Polyhedron;
-using tetracone::Query;
-using tetracone::kernel::Pose;
-using tetracone::kernel::Rational;
-using tetracone::kernel::Vertex;
+using namespace tetracone;
+using namespace tetracone::kernel;
+using kernel::Pose;
 
 namespace {
 

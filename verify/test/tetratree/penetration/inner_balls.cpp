@@ -2,6 +2,7 @@
 
 #include "tetracone/covering/star_faces.h"
 #include "tetracone/kernel/contact/direction_view.h"
+#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/nearest_truth.h"
 #include "verify/truth/point_truth.h"
@@ -61,12 +62,8 @@ int count_wrong(const std::vector<Ball>& balls, const Polyhedron& placed)
 Polyhedron placed(Polyhedron body, const Pose& pose)
 {
   for (Vertex& v : body.vertices) {
-    const Vertex old = v;
-    for (int k = 0; k < 3; ++k) {
-      Rational x = pose.exact(4 * k + 3);
-      for (int i = 0; i < 3; ++i) x += pose.exact(4 * k + i) * Rational(old[std::size_t(i)]);
-      v[std::size_t(k)] = x.get_d();
-    }
+    const auto [x, y, z] = verify::rationals::image(pose, verify::rationals::exactly(v));
+    v = {x.get_d(), y.get_d(), z.get_d()};
   }
   return body;
 }
@@ -107,10 +104,8 @@ BOOST_AUTO_TEST_CASE(views_keep_balls_inside)
     for (int round = 0; round < 200; ++round) {
       const Vertex x = scenes::real_vertex(random, 3.5);
       Ball ball;
-      for (std::size_t k = 0; k < 3; ++k) {
-        ball.centre[k] = pose.exact(4 * int(k) + 3).get_d();
-        for (std::size_t i = 0; i < 3; ++i) ball.centre[k] += pose.exact(4 * int(k) + int(i)).get_d() * x[i];
-      }
+      const auto at = verify::rationals::image(pose, verify::rationals::exactly(x));
+      for (std::size_t k = 0; k < 3; ++k) ball.centre[k] = at[k].get_d();
       ball.radius = filled.balls.radius_about(ball.centre);
       if (ball.radius > 0)
         about.push_back(ball);

@@ -1,14 +1,9 @@
 #include "tetracone/tetratree/query/bvh8_containment.h"
 
 #include "tetracone/covering/repair/repair.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <memory>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8_containment)
 
@@ -19,14 +14,6 @@ using namespace tetracone::verify::scenes;
 using kernel::Adaptive;
 
 namespace {
-
-Polyhedron dot(const Vertex& at)
-{
-  Polyhedron point;
-  point.vertices = {at};
-  point.add_polygon({0});
-  return point;
-}
 
 /// Both ways of making a tree: whole faces, and triangles.
 struct Body {
@@ -67,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_at_the_coverings_origin_or_a_hair_off_it_is_decide
     for (const double off : {0.0, 0x1p-1074, 0x1p-300, 0x1p-60, 0x1p-30, -0x1p-21, -0x1p-19, 0x1p-10})
       for (const Pose& pose : {Pose(), Pose::from_quaternion(1, 2, 3, 4),
                                Pose(std::array<double, 12>{-2, 0, 0, 0, 0, 1, 0.5, 0, 0, 0, 1, 0})}) {
-        Body held(dot({origin[0] + off, origin[1] - off, origin[2]}));
+        Body held(polygon({{origin[0] + off, origin[1] - off, origin[2]}}));
         for (Bvh8* tree : {&holder.whole, &holder.triangles}) {
           Placed_pair pair(*tree, pose, held.whole, pose);
           Query_statistics counts;

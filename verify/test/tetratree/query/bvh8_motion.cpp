@@ -2,7 +2,7 @@
 
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "verify/cases/shape_generators.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -17,14 +17,7 @@ BOOST_AUTO_TEST_SUITE(test_bvh8_motion)
 namespace scenes = tetracone::verify::scenes;
 using namespace tetracone::tetratree;
 using tetracone::covering::Polyhedron;
-using tetracone::kernel::Body_motion;
-using tetracone::kernel::bounds_about;
-using tetracone::kernel::Moving_kind;
-using tetracone::kernel::Moving_point;
-using tetracone::kernel::Pose;
-using tetracone::kernel::Rational;
-using tetracone::kernel::Time_bounds;
-using tetracone::kernel::Vertex;
+using namespace tetracone::kernel;
 
 namespace {
 
@@ -217,10 +210,8 @@ BOOST_AUTO_TEST_CASE(where_the_start_is_not_asked_about_surfaces_are_apart_then)
 
 BOOST_AUTO_TEST_CASE(faces_of_no_area_and_bodies_of_any_size_meet_too)
 {
-  Polyhedron needle;
-  needle.vertices = {{0, 0, 0}, {0, 0, 1}, {0, 0, 0.5}};
-  needle.add_polygon({0, 1, 2});
-  const Bvh8 of_needle(needle), of_cube(scenes::triangulated(scenes::unit_cube()));
+  const Bvh8 of_needle(scenes::polygon({{0, 0, 0}, {0, 0, 1}, {0, 0, 0.5}})),
+      of_cube(scenes::triangulated(scenes::unit_cube()));
   Bvh8_motion motion(of_cube, of_needle);
   const auto found = motion(rests, shift({0.25, 0.25, 2}, {0.25, 0.25, -2}));
   BOOST_REQUIRE(found.has_value());

@@ -1,7 +1,7 @@
 #include "tetracone/tetratree/query/bvh8_points.h"
 
 #include "tetracone/covering/star_faces.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/truth/distance_truth.h"
 #include "verify/truth/nearest_truth.h"
 
@@ -33,10 +33,7 @@ class Judge {
  public:
   explicit Judge(const Polyhedron& body)
       : body_(body), tree_(body, tetracone::covering::star_faces(body)), points_(tree_), truth_(body), brute_(body)
-  {
-    dot_.vertices = {{0, 0, 0}};
-    dot_.add_polygon({0});
-  }
+  {}
 
   bool is_right(const Vertex& x)
   {
@@ -65,7 +62,7 @@ class Judge {
   /// The square by a convex program.
   bool is_right_by_program(const kernel::Rational_point& x)
   {
-    const verify::Brute_body dot(dot_);
+    const verify::Brute_body dot(scenes::polygon({{0, 0, 0}}));
     const kernel::Pose moved({1, 0, 0, x[0], 0, 1, 0, x[1], 0, 0, 1, x[2]});
     return points_.exactly(x).square == verify::squared_distance(verify::Placed_body(brute_, kernel::Pose()),
                                                                  verify::Placed_body(dot, moved),
@@ -88,7 +85,7 @@ class Judge {
     }
   }
 
-  Polyhedron body_, dot_;
+  Polyhedron body_;
   Bvh8 tree_;
   Bvh8_points points_;
   verify::Nearest_truth truth_;

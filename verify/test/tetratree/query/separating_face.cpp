@@ -3,7 +3,7 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "verify/cases/shape_generators.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -41,14 +41,6 @@ struct Body {
   verify::Brute_body truth;
 };
 
-Polyhedron sheet()
-{
-  Polyhedron one;
-  one.vertices = {{0, -1, -1}, {0, 2, -1}, {0, 0, 2}};
-  one.add_polygon({0, 1, 2});
-  return one;
-}
-
 Pose any_frame(Random& random, int kind)
 {
   const std::array<Rational, 3> offset = {Rational(integer(random, -99, 99)) / 97, 3, Rational(integer(random, -9, 9))};
@@ -66,8 +58,9 @@ BOOST_AUTO_TEST_CASE(bodies_an_ulp_apart_in_contact_and_overlapping_are_told_apa
 {
   Random random(3);
   std::vector<std::unique_ptr<Body>> all;
-  for (const Polyhedron& p : {unit_cube(), turned(unit_cube()), box({0, -2, 0}, {1, 3, 0.5}), cube_with_tunnel(),
-                              star_prism(), tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), sheet()})
+  for (const Polyhedron& p :
+       {unit_cube(), turned(unit_cube()), box({0, -2, 0}, {1, 3, 0.5}), cube_with_tunnel(), star_prism(),
+        tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), polygon({{0, -1, -1}, {0, 2, -1}, {0, 0, 2}})})
     all.push_back(std::make_unique<Body>(p));
   int yes = 0, no = 0, differ = 0;
   for (const auto& a : all)

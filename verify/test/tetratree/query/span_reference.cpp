@@ -7,7 +7,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -18,14 +17,7 @@ namespace scenes = tetracone::verify::scenes;
 using namespace tetracone::tetratree;
 using scenes::Random;
 using scenes::real;
-using tetracone::kernel::Body_motion;
-using tetracone::kernel::Local_scale;
-using tetracone::kernel::Motion_span;
-using tetracone::kernel::Pair_motion;
-using tetracone::kernel::Pose;
-using tetracone::kernel::Rational;
-using tetracone::kernel::Rigid_pose;
-using tetracone::kernel::Vertex;
+using namespace tetracone::kernel;
 
 namespace {
 

@@ -11,22 +11,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <ostream>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_solid_pair)
 
 namespace scenes = tetracone::verify::scenes;
-using tetracone::Body;
-using tetracone::Overlap;
-using tetracone::Polyhedron;
-using tetracone::Query;
-using tetracone::Solid_contact;
-using tetracone::Solid_relation;
-using tetracone::kernel::Pose;
-using tetracone::kernel::Rational;
-using tetracone::kernel::to_string;
-using tetracone::kernel::Vertex;
+using namespace tetracone;
+using namespace tetracone::kernel;
+using kernel::Pose;
 
 namespace {
 

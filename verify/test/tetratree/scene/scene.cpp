@@ -1,7 +1,7 @@
 #include "tetracone/tetratree/scene/scene.h"
 
+#include "verify/test/support/object_cases.h"
 #include "verify/test/support/said.h"
-#include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -10,13 +10,13 @@
 #include <cfenv>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_scene)
 
 using namespace tetracone;
 namespace scenes = verify::scenes;
+using verify::said;
 
 namespace {
 
@@ -186,6 +186,19 @@ std::size_t check_rings(const Scene_options& options, bool by_makers = false)
   return most;
 }
 
+/// Turned by an eighth about z: beside a cube, their boxes meet and they do not.
+Pose turned(double x, double y = 0.7)
+{
+  const double c = std::sqrt(0.5);
+  return Pose(std::array<double, 12>{c, -c, 0, x, c, c, 0, y, 0, 0, 1, 0});
+}
+
+void add_two_cubes(Scene& scene)
+{
+  scene.add_model(Body(scenes::unit_cube()));
+  for (int k = 0; k < 2; ++k) scene.add_body(0);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_frame_has_exactly_the_pairs_that_collide)
@@ -211,20 +224,15 @@ BOOST_AUTO_TEST_CASE(fronts_that_near_pairs_keep_change_no_answer)
 
 BOOST_AUTO_TEST_CASE(pairs_that_are_apart_are_not_asked_again_before_the_gap_is_used_up)
 {
-  const Body cube(scenes::unit_cube());
   Scene scene;
-  scene.add_body(scene.add_model(cube));
-  scene.add_body(0);
+  add_two_cubes(scene);
   scene.place(0, Pose());
-  // Turned by an eighth about z, so that their boxes meet and they do not.
-  const double c = std::sqrt(0.5);
-  const auto at = [c](double x) { return Pose(std::array<double, 12>{c, -c, 0, x, c, c, 0, 0.7, 0, 0, 1, 0}); };
-  scene.place(1, at(1.45));
+  scene.place(1, turned(1.45));
   BOOST_TEST(scene.pairs().empty());
   std::size_t asked = scene.statistics().queries;
   BOOST_TEST(asked == 1u);
   for (int k = 1; k <= 100; ++k) {
-    scene.place(1, at(1.45 - k * 1e-4));
+    scene.place(1, turned(1.45 - k * 1e-4));
     BOOST_TEST(scene.pairs().empty());
     asked += scene.statistics().queries;
   }
@@ -236,14 +244,12 @@ BOOST_AUTO_TEST_CASE(pairs_that_are_apart_are_not_asked_again_before_the_gap_is_
 BOOST_AUTO_TEST_CASE(pairs_whose_bodies_move_alike_are_not_asked_again)
 {
   Scene scene;
-  scene.add_model(Body(scenes::unit_cube()));
-  const double c = std::sqrt(0.5);
-  for (int k = 0; k < 2; ++k) scene.add_body(0);
+  add_two_cubes(scene);
   std::size_t asked = 0;
   for (int k = 0; k < 100; ++k) {
     const double x = 0.25 * k, y = 0.01 * k * k;
     scene.place(0, Pose::translation(x, y, 0));
-    scene.place(1, Pose(std::array<double, 12>{c, -c, 0, x + 1.45, c, c, 0, y + 0.7, 0, 0, 1, 0}));
+    scene.place(1, turned(x + 1.45, y + 0.7));
     BOOST_TEST(scene.pairs().empty());
     asked += scene.statistics().queries;
   }
@@ -256,13 +262,10 @@ BOOST_AUTO_TEST_CASE(pairs_whose_bodies_move_alike_are_not_asked_again)
 BOOST_AUTO_TEST_CASE(a_step_that_is_summed_up_by_other_rounding_keeps_no_answer)
 {
   Scene scene;
-  scene.add_model(Body(scenes::unit_cube()));
-  for (int k = 0; k < 2; ++k) scene.add_body(0);
-  const double c = std::sqrt(0.5);
-  const auto at = [c](double x) { return Pose(std::array<double, 12>{c, -c, 0, x, c, c, 0, 0.7, 0, 0, 1, 0}); };
+  add_two_cubes(scene);
   scene.place(0, Pose());
   for (int k = 0; k < 24; ++k) {
-    const Pose pose = at(1.45 - k * 1e-6);
+    const Pose pose = turned(1.45 - k * 1e-6);
     if (k == 22) std::fesetround(FE_DOWNWARD);
     scene.place(1, pose);
     std::fesetround(FE_TONEAREST);
@@ -358,20 +361,18 @@ BOOST_AUTO_TEST_CASE(a_budget_leaves_pairs_undecided_and_later_frames_decide_the
 BOOST_AUTO_TEST_CASE(misuse_is_refused_with_a_line)
 {
   Scene scene;
-  BOOST_TEST(verify::said([&] { scene.add_body(0); }) == "scene: model 0 of 0; expected a model's number");
+  BOOST_TEST(said([&] { scene.add_body(0); }) == "scene: model 0 of 0; expected a model's number");
   scene.add_model(Body(scenes::unit_cube()));
   const std::size_t body = scene.add_body(0), other = scene.add_body(0);
-  BOOST_TEST(verify::said([&] { scene.set_model(body, 7); }) == "scene: model 7 of 1; expected a model's number");
-  BOOST_TEST(verify::said([&] { scene.place(9, Pose()); }) ==
-             "scene: body 9 is not there; expected the number of one that is");
-  BOOST_TEST(verify::said([&] { scene.relation(body, other); }) == "scene: body 0 has no pose; expected a placed body");
-  BOOST_TEST(verify::said([&] { scene.ignore(body, body); }) ==
-             "scene: body 0 with itself; expected two bodies to ignore");
-  BOOST_TEST(verify::said([&] { scene.frame({}); }) == "scene: 0 poses of 2 bodies; expected one a body");
+  BOOST_TEST(said([&] { scene.set_model(body, 7); }) == "scene: model 7 of 1; expected a model's number");
+  BOOST_TEST(said([&] { scene.place(9, Pose()); }) == "scene: body 9 is not there; expected the number of one that is");
+  BOOST_TEST(said([&] { scene.relation(body, other); }) == "scene: body 0 has no pose; expected a placed body");
+  BOOST_TEST(said([&] { scene.ignore(body, body); }) == "scene: body 0 with itself; expected two bodies to ignore");
+  BOOST_TEST(said([&] { scene.frame({}); }) == "scene: 0 poses of 2 bodies; expected one a body");
   scene.remove_body(other);
-  BOOST_TEST(verify::said([&] { scene.remove_body(other); }) ==
+  BOOST_TEST(said([&] { scene.remove_body(other); }) ==
              "scene: body 1 is not there; expected the number of one that is");
-  BOOST_TEST(verify::said([] { Scene({.budget = std::chrono::nanoseconds(-1)}); }) ==
+  BOOST_TEST(said([] { Scene({.budget = std::chrono::nanoseconds(-1)}); }) ==
              "scene: a budget below 0; expected nanoseconds, or 0 for no limit");
 }
 
@@ -386,22 +387,19 @@ BOOST_AUTO_TEST_CASE(what_fails_once_is_asked_again)
       },
       "cube");
   for (int k = 0; k < 2; ++k) scene.place(scene.add_body(0), Pose());
-  BOOST_TEST(verify::said([&] { scene.pairs(); }) == "cube.off: not yet; expected later");
+  BOOST_TEST(said([&] { scene.pairs(); }) == "cube.off: not yet; expected later");
   is_there = true;
   BOOST_TEST(scene.pairs().size() == 1u);
 
-  Polyhedron triangle;
-  triangle.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  triangle.add_polygon({0, 1, 2});
   Scene open;
-  open.add_model(Body(triangle));
+  open.add_model(Body(scenes::polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})));
   open.place(open.add_body(0), Pose());
-  BOOST_TEST(verify::said([&] { open.pairs(); }).starts_with("model 0 is open at 3 edges"));
+  BOOST_TEST(said([&] { open.pairs(); }).starts_with("model 0 is open at 3 edges"));
 
   Scene small({.memory = 1000});
   small.add_model([] { return Body(scenes::triangulated(scenes::torus(24, 16))); }, "torus");
   for (int k = 0; k < 2; ++k) small.place(small.add_body(0), Pose());
-  BOOST_TEST(verify::said([&] { small.pairs(); }).starts_with("scene: a memory of 1000 bytes does not hold 'torus'"));
+  BOOST_TEST(said([&] { small.pairs(); }).starts_with("scene: a memory of 1000 bytes does not hold 'torus'"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

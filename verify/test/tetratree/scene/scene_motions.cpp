@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
-#include <string>
 #include <tuple>
 #include <vector>
 
@@ -16,6 +14,7 @@ BOOST_AUTO_TEST_SUITE(test_scene_motions)
 
 using namespace tetracone;
 namespace scenes = verify::scenes;
+using verify::said;
 
 namespace {
 
@@ -61,13 +60,9 @@ Motion any_motion(scenes::Random& random)
   }
   const auto of = [&random] {
     const auto at = any_place(random);
-    return std::array<double, 7>{scenes::real(random, 0.1, 1),
-                                 scenes::real(random, -1, 1),
-                                 scenes::real(random, -1, 1),
-                                 scenes::real(random, -1, 1),
-                                 at[0],
-                                 at[1],
-                                 at[2]};
+    std::array<double, 7> numbers = {scenes::real(random, 0.1, 1), 0, 0, 0, at[0], at[1], at[2]};
+    for (const int k : {1, 2, 3}) numbers[k] = scenes::real(random, -1, 1);
+    return numbers;
   };
   return Motion::rigid(of(), of());
 }
@@ -208,21 +203,17 @@ BOOST_AUTO_TEST_CASE(motions_that_cannot_be_followed_are_refused_with_a_line)
   scene.add_body(0);
   const std::size_t holed = scene.add_body(1);
   const Motion rests = Motion::linear(Pose(), Pose());
-  BOOST_TEST(verify::said([&] { scene.first_contacts(std::vector<Motion>{rests}); }) ==
-             "scene: 1 motions of 2 bodies; expected one a body");
-  BOOST_TEST(verify::said([&] { scene.first_contacts(std::vector<Pose>(3)); }) ==
+  const std::vector<Motion> one(1, rests), two(2, rests);
+  BOOST_TEST(said([&] { scene.first_contacts(one); }) == "scene: 1 motions of 2 bodies; expected one a body");
+  BOOST_TEST(said([&] { scene.first_contacts(std::vector<Pose>(3)); }) ==
              "scene: 3 poses of 2 bodies; expected one a body");
-  BOOST_TEST(verify::said([&] { scene.first_contacts(std::vector<Pose>(2)); }) ==
+  BOOST_TEST(said([&] { scene.first_contacts(std::vector<Pose>(2)); }) ==
              "scene: body 0 has no pose; expected a placed body");
-  BOOST_TEST(verify::said([&] {
-               scene.first_contacts(std::vector<Motion>{rests, rests});
-             }).starts_with("motion: model 1 has a face"));
+  BOOST_TEST(said([&] { scene.first_contacts(two); }).starts_with("motion: model 1 has a face"));
   scene.set_model(holed, 2);
-  BOOST_TEST(verify::said([&] {
-               scene.first_contacts(std::vector<Motion>{rests, rests});
-             }) == "cube.off: not there; expected a model");
+  BOOST_TEST(said([&] { scene.first_contacts(two); }) == "cube.off: not there; expected a model");
   Scene rounded({.query = {.kernel = Kernel::double_}});
-  BOOST_TEST(verify::said([&] { rounded.first_contacts(std::vector<Motion>{}); }) ==
+  BOOST_TEST(said([&] { rounded.first_contacts(std::vector<Motion>{}); }) ==
              "query: kernel double follows no motion; expected adaptive");
 }
 

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 
 BOOST_AUTO_TEST_SUITE(test_turned_box)
@@ -62,9 +61,7 @@ rationals::Vector farthest(const Body_extent& extent, const Pose& pose, const Ve
 
 Pose shifted(const Pose& pose, const rationals::Vector& by)
 {
-  std::array<Rational, 12> m;
-  for (int k = 0; k < 12; ++k) m[k] = pose.exact(k) + (k % 4 == 3 ? by[k / 4] : Rational(0));
-  return Pose(m);
+  return scenes::composed(Pose(std::array<Rational, 12>{1, 0, 0, by[0], 0, 1, 0, by[1], 0, 0, 1, by[2]}), pose);
 }
 
 }  // namespace
