@@ -3,16 +3,7 @@
 #include "verify/test/support/at_once.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <numeric>
-#include <set>
-#include <string>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_covering)
 

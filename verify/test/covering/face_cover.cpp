@@ -3,13 +3,7 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/covering/star_faces.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_face_cover)
 

@@ -3,12 +3,7 @@
 #include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <tuple>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_model)
 
@@ -60,27 +55,17 @@ KERNEL_TEST_CASE(placed_points_are_the_exact_images_pose_after_pose, K, Exact_mo
     poses.push_back(scenes::random_affine(random));
     poses.push_back(Pose());
   }
-  for (const Pose& pose : poses) {
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const Pose& pose = poses[k];
     placed.place(pose);
     BOOST_TEST(placed.determinant_sign() == pose.determinant_sign());
     int wrong = 0;
+    const Index skip = k % 3;      // what is not asked for at one pose is placed at the next
     for (const int pass : {1, 2})  // the second from what the first kept
-      for (Index v = 0; v < body.vertices.size(); v += pass)
+      for (Index v = 0; v < body.vertices.size(); v += pass + skip)
         wrong += exactly<K>(placed.point(v)) != rationals::image(pose, rationals::exactly(body.vertices[v]));
     BOOST_TEST(wrong == 0);
   }
-}
-
-KERNEL_TEST_CASE(a_point_not_asked_for_at_one_pose_is_placed_at_the_next, K, Exact_motions)
-{
-  const Model<K> model(scenes::unit_cube());
-  Placed_model<K> placed(model);
-  const Pose first = scenes::translation(1, 0, 0), second = scenes::translation(5, 0, 0);
-  placed.place(first);
-  BOOST_TEST((exactly<K>(placed.point(0)) == rationals::Vector{1, 0, 0}));
-  placed.place(second);
-  BOOST_TEST((exactly<K>(placed.point(0)) == rationals::Vector{5, 0, 0}));
-  BOOST_TEST((exactly<K>(placed.point(7)) == rationals::Vector{6, 1, 1}));
 }
 
 KERNEL_TEST_CASE(signs_of_placed_points_are_those_of_their_pose, K, Exact_motions)
@@ -90,19 +75,8 @@ KERNEL_TEST_CASE(signs_of_placed_points_are_those_of_their_pose, K, Exact_motion
   Placed_model<K> moved(model), fixed(model);
   std::vector<Pose> poses;
   for (const double shift : {0.0, 0x1p-80, -0x1p-80, 0.0}) {
-    std::array<Rational, 12> entries = {Rational(3, 5),
-                                        Rational(-4, 5),
-                                        0,
-                                        1 + Rational(shift),
-                                        Rational(4, 5),
-                                        Rational(3, 5),
-                                        0,
-                                        Rational(1, 3),
-                                        0,
-                                        0,
-                                        1,
-                                        0};
-    poses.push_back(Pose(entries));
+    const Rational c(3, 5), s(4, 5);
+    poses.push_back(Pose(std::array<Rational, 12>{c, -s, 0, 1 + Rational(shift), s, c, 0, Rational(1, 3), 0, 0, 1, 0}));
   }
   std::vector<Index> wall;  // x = 1
   Index corner = 0;         // the origin

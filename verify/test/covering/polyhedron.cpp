@@ -1,10 +1,7 @@
 #include "tetracone/covering/polyhedron.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_polyhedron)
 

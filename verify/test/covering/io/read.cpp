@@ -3,16 +3,10 @@
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/number/number.h"
+#include "verify/test/support/suite.h"
 #include "verify/test/support/temporary_file.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <bit>
 #include <cstring>
-#include <limits>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_read)
 

@@ -1,10 +1,7 @@
 #include "tetracone/covering/io/read_moving_pairs.h"
 
+#include "verify/test/support/suite.h"
 #include "verify/test/support/temporary_file.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_read_moving_pairs)
 

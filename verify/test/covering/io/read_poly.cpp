@@ -1,16 +1,8 @@
 #include "tetracone/covering/io/read_poly.h"
 
 #include "tetracone/covering/io/read.h"
+#include "verify/test/support/suite.h"
 #include "verify/test/support/temporary_file.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_read_poly)
 

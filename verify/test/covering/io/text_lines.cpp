@@ -3,12 +3,8 @@
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/io/read_points.h"
 #include "tetracone/covering/io/read_poses.h"
+#include "verify/test/support/suite.h"
 #include "verify/test/support/temporary_file.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_text_lines)
 

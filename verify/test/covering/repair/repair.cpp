@@ -5,16 +5,7 @@
 #include "tetracone/covering/planarity.h"
 #include "tetracone/covering/projection.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <random>
-#include <utility>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_repair)
 

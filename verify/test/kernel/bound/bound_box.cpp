@@ -1,10 +1,7 @@
 #include "tetracone/kernel/bound/bound_box.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_bound_box)
 

@@ -2,14 +2,7 @@
 
 #include "verify/cases/random.h"
 #include "verify/test/support/rationals.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <utility>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_cone_cells)
 

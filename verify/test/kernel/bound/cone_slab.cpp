@@ -1,12 +1,7 @@
 #include "tetracone/kernel/bound/cone_slab.h"
 
 #include "verify/cases/random.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <map>
-#include <span>
-#include <utility>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_cone_slab)
 

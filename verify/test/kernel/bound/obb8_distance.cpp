@@ -3,14 +3,7 @@
 #include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <initializer_list>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_obb8_distance)
 

@@ -6,13 +6,7 @@
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 namespace tetracone::kernel {
 

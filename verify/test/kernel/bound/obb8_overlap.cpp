@@ -5,15 +5,7 @@
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 namespace tetracone::kernel {
 
@@ -387,23 +379,6 @@ BOOST_AUTO_TEST_CASE(mapped_boxes_that_are_clearly_apart_are_told_apart)
     for (const auto mapped : mapped_versions()) missed += std::popcount(mapped(boxes, map, from, 2));
   }
   BOOST_TEST(missed == 0);
-}
-
-BOOST_AUTO_TEST_CASE(the_version_that_is_chosen_is_one_of_them)
-{
-  Random random(8);
-  for (int k = 0; k < 200; ++k) {
-    Obb8 boxes{};
-    for (int lane = 0; lane < int(lanes); ++lane) set(boxes, lane, {vector(random, 2), axes(random), extents(random)});
-    Single_box box{};
-    set(box, {vector(random), axes(random), extents(random)});
-    box.slack = obb8_slack(8, 0);
-    const unsigned chosen = overlapping(boxes, box, k % 2 == 0);
-    BOOST_TEST(
-        std::ranges::any_of(versions(), [&](const auto version) { return version(boxes, box, k % 2 == 0) == chosen; }));
-  }
-  BOOST_TEST(versions().size() >= 2u);
-  BOOST_TEST(versions().size() == mapped_versions().size());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,12 +3,7 @@
 #include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "verify/test/support/suite.h"
 
 namespace tetracone::kernel {
 

@@ -4,16 +4,7 @@
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 namespace tetracone::kernel {
 

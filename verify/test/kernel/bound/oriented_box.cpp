@@ -1,13 +1,7 @@
 #include "tetracone/kernel/bound/oriented_box.h"
 
 #include "verify/test/support/placed_boxes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_oriented_box)
 

@@ -3,12 +3,7 @@
 #include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_relative_frame)
 

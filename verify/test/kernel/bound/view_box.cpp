@@ -1,10 +1,6 @@
 #include "tetracone/kernel/bound/view_box.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_view_box)
 

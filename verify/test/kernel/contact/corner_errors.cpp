@@ -2,12 +2,7 @@
 
 #include "tetracone/kernel/contact/rational_face.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_corner_errors)
 

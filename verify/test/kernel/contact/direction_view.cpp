@@ -1,11 +1,7 @@
 #include "tetracone/kernel/contact/direction_view.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_direction_view)
 

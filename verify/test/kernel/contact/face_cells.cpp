@@ -1,8 +1,6 @@
 #include "tetracone/kernel/contact/face_cells.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_face_cells)
 

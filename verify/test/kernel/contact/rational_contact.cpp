@@ -3,14 +3,7 @@
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <random>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_rational_contact)
 

@@ -2,12 +2,7 @@
 
 #include "tetracone/kernel/contact/rational_contact.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_shift_range)
 

@@ -1,10 +1,7 @@
 #include "tetracone/kernel/motion/body_motion.h"
 
 #include "verify/cases/random.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_body_motion)
 

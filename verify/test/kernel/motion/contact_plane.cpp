@@ -1,9 +1,6 @@
 #include "tetracone/kernel/motion/contact_plane.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <optional>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_contact_plane)
 

@@ -2,12 +2,7 @@
 
 #include "verify/cases/random.h"
 #include "verify/test/support/rationals.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <optional>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_control_poses)
 

@@ -1,11 +1,7 @@
 #include "tetracone/kernel/motion/first_contact.h"
 
 #include "tetracone/kernel/number/number.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <string>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_first_contact)
 

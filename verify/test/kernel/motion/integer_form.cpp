@@ -1,10 +1,7 @@
 #include "tetracone/kernel/motion/integer_form.h"
 
 #include "verify/test/support/integer_forms.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_integer_form)
 

@@ -2,14 +2,7 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/random.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_motion_filter)
 

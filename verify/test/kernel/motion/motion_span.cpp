@@ -1,15 +1,7 @@
 #include "tetracone/kernel/motion/motion_span.h"
 
 #include "verify/cases/random.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_motion_span)
 

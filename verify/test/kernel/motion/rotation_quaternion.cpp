@@ -1,11 +1,6 @@
 #include "tetracone/kernel/motion/rotation_quaternion.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_rotation_quaternion)
 

@@ -1,14 +1,7 @@
 #include "tetracone/kernel/motion/time_root.h"
 
 #include "verify/test/support/integer_forms.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_time_root)
 

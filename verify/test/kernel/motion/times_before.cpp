@@ -1,12 +1,7 @@
 #include "tetracone/kernel/motion/times_before.h"
 
 #include "verify/test/support/integer_forms.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_times_before)
 

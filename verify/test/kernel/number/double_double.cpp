@@ -2,11 +2,7 @@
 
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <random>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_double_double)
 

@@ -1,16 +1,7 @@
 #include "tetracone/kernel/number/fixed_integer.h"
 
 #include "tetracone/kernel/number/number.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <random>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_fixed_integer)
 

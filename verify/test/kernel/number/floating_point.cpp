@@ -1,13 +1,7 @@
 #include "tetracone/kernel/number/floating_point.h"
 
-#include <boost/test/unit_test.hpp>
-
 #include "verify/test/support/keep_environment.h"
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <thread>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_floating_point)
 

@@ -1,19 +1,9 @@
 #include "tetracone/kernel/number/number.h"
 
 #include "tetracone/kernel/number/nearest_root.h"
+#include "verify/test/support/suite.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
-#include <limits>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_number)
 

@@ -1,9 +1,6 @@
 #include "tetracone/kernel/number/pose.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_pose)
 

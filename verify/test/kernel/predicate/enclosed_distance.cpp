@@ -4,13 +4,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/face_distance.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_enclosed_distance)
 

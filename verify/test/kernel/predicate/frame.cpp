@@ -3,12 +3,7 @@
 #include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <tuple>
-#include <type_traits>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_frame)
 

@@ -1,8 +1,6 @@
 #include "tetracone/kernel/predicate/hull_separation.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <optional>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_hull_separation)
 

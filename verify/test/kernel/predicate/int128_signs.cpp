@@ -2,13 +2,7 @@
 
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_int128_signs)
 

@@ -3,12 +3,7 @@
 #include "tetracone/kernel/number/products.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <optional>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_ray_triangle)
 

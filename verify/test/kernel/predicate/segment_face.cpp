@@ -4,16 +4,7 @@
 #include "tetracone/kernel/predicate/plane_basis.h"
 #include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/segment_truth.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <tuple>
-#include <utility>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_segment_face)
 

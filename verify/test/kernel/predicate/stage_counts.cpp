@@ -1,11 +1,7 @@
 #include "tetracone/kernel/predicate/stage_counts.h"
 
 #include "tetracone/kernel/predicate/adaptive.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <thread>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_stage_counts)
 

@@ -1,12 +1,7 @@
 #include "tetracone/kernel/predicate/vertex_separation.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_vertex_separation)
 
