@@ -19,6 +19,13 @@ inline kernel::Vector vector(Random& random, double size = 1)
   return size * kernel::Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
 }
 
+/// Returns the vector of three numbers.
+template <class Three>
+kernel::Vector vector_of(const Three& x)
+{
+  return {double(x[0]), double(x[1]), double(x[2])};
+}
+
 /// Returns the solution x of m x = v (Cramer's rule).
 inline kernel::Vector solved(const kernel::Matrix& m, const kernel::Vector& v)
 {

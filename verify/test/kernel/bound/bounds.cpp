@@ -52,15 +52,6 @@ BOOST_AUTO_TEST_CASE(beyond_the_gate_the_error_is_infinite)
   BOOST_TEST(!std::isfinite(Frame(shifted, undefined).error()));
 }
 
-BOOST_AUTO_TEST_CASE(the_identity_moves_nothing)
-{
-  const Frame frame(Pose(), 5);
-  const Bound_point<double> p{0.1, -0.3, 5};
-  BOOST_TEST((frame(p) == p));
-  BOOST_TEST((frame.pulled_back(p) == p));
-  BOOST_TEST(frame.stretch() == 1);
-}
-
 BOOST_AUTO_TEST_CASE(pulled_back_is_turned_into_its_argument_up_to_a_factor)
 {
   Random random(3);
@@ -69,12 +60,11 @@ BOOST_AUTO_TEST_CASE(pulled_back_is_turned_into_its_argument_up_to_a_factor)
     const Vertex v = scenes::grid_vertex(random, 5);
     const auto pulled = Frame(pose, 1).pulled_back(v);
     // Small integers: exact. M w = det(M) v.
-    Rational determinant = rationals::determinant({pose.exact(0), pose.exact(1), pose.exact(2)},
-                                                  {pose.exact(4), pose.exact(5), pose.exact(6)},
-                                                  {pose.exact(8), pose.exact(9), pose.exact(10)});
-    const Vector image =
-        rationals::minus(rationals::image(pose, rationals::exactly(pulled)), rationals::image(pose, {0, 0, 0}));
-    BOOST_TEST((image == rationals::times(determinant, rationals::exactly(v))));
+    const auto turned = [&](const Vector& x) {
+      return rationals::minus(rationals::image(pose, x), rationals::image(pose, {0, 0, 0}));
+    };
+    const Rational determinant = rationals::determinant(turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1}));
+    BOOST_TEST((turned(rationals::exactly(pulled)) == rationals::times(determinant, rationals::exactly(v))));
   }
 }
 
@@ -106,15 +96,8 @@ BOOST_AUTO_TEST_CASE(an_enclosing_ball_holds_all_points_and_is_no_larger_than_it
   BOOST_TEST(wrong == 0);
 }
 
-BOOST_AUTO_TEST_CASE(an_improved_centre_has_no_larger_ball_and_comes_near_the_smallest)
+BOOST_AUTO_TEST_CASE(an_improved_centre_comes_near_that_of_the_smallest_ball)
 {
-  Random random(5);
-  for (int n = 0; n < 50; ++n) {
-    Points points = random_points(random, 20, 0);
-    const auto start = centroid<double>(points), better = improved_centre<double>(start, points, 24);
-    BOOST_TEST(
-        (enclosing_ball<double, true>(better, points).radius <= enclosing_ball<double, true>(start, points).radius));
-  }
   // The ends of a rod, one of them many times: the centroid is at that end, the smallest ball's centre in the middle.
   Points rod(50, Vertex{1, 0, 0});
   rod.push_back({-1, 0, 0});
@@ -137,13 +120,9 @@ BOOST_AUTO_TEST_CASE(balls_apart_by_a_margin_are_separated_and_rounding_alone_de
 BOOST_AUTO_TEST_CASE(undefined_balls_are_never_separated)
 {
   const Ball<double> a{{0, 0, 0}, 1};
-  for (const double bad : {undefined, infinity, -infinity}) {
-    if (!(bad < 0)) BOOST_TEST((!separated<double, true>(a, Ball<double>{{9, 0, 0}, bad})));
-    if (std::isnan(bad)) {
-      BOOST_TEST((!separated<double, true>(a, Ball<double>{{bad, 0, 0}, 1})));
-      BOOST_TEST((!separated<double, true>(a, Ball<double>{{9, 9, bad}, 1})));
-    }
-  }
+  for (const Ball<double>& bad :
+       {Ball<double>{{9, 0, 0}, infinity}, {{9, 0, 0}, undefined}, {{undefined, 0, 0}, 1}, {{9, 9, undefined}, 1}})
+    BOOST_TEST((!separated<double, true>(a, bad)));
   // A centre that overflowed comes with an infinite radius.
   const Frame frame(scenes::translation(0x1p1023, 0, 0), 0x1p1023);
   BOOST_TEST((!separated<double, true>(a, placed(frame, Ball<double>{{0x1p1023, 0, 0}, 1}))));
@@ -252,13 +231,14 @@ BOOST_AUTO_TEST_CASE(nothing_is_beyond_an_undefined_half_space)
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_in_a_corner_meet_and_boxes_apart_do_not)
 {
-  Box<double> a, b, c;
-  a.add({0, 0, 0});
-  a.add({1, 1, 1});
-  b.add({1, 1, 1});
-  b.add({2, 3, 2});
-  c.add({1.5, 1.5, 1.0000001});
-  c.add({2, 2, 2});
+  const auto box = [](const Bound_point<double>& low, const Bound_point<double>& high) {
+    Box<double> box;
+    box.add(low);
+    box.add(high);
+    return box;
+  };
+  const Box<double> a = box({0, 0, 0}, {1, 1, 1}), b = box({1, 1, 1}, {2, 3, 2});
+  Box<double> c = box({1.5, 1.5, 1.0000001}, {2, 2, 2});
   BOOST_TEST(a.meets(b));
   BOOST_TEST(b.meets(c));
   BOOST_TEST(!a.meets(c));

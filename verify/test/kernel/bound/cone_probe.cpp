@@ -100,24 +100,6 @@ BOOST_AUTO_TEST_CASE(what_is_certain_is_true_of_the_exact_points)
   for (const long some : {missed, before, beyond, undecided}) BOOST_TEST(some > asked / 100);
 }
 
-BOOST_AUTO_TEST_CASE(it_says_what_the_signs_in_double_say)
-{
-  Random random(12);
-  long told = 0;
-  for (int round = 0; round < 2000; ++round) {
-    Local_triangle t;
-    for (Local_point& corner : t) corner = random.direction();
-    const Local_point p = random.direction();
-    const Cone_probe::Views seen = views(t, p);
-    const int facing = seen.facing(0);
-    if (facing == cone_undecided) continue;
-    ++told;
-    BOOST_TEST(facing == cone_holds(t[0], t[1], t[2], p));
-    if (facing != 0) BOOST_TEST((seen.before & 1) == (plane_side(t[0], t[1], t[2], p) == -facing));
-  }
-  BOOST_TEST(told > 1900);
-}
-
 // Planted and seen to fail in what_is_certain_is_true_of_the_exact_points: a turn's bound of a 512th, a height's of a
 // 128th.
 
