@@ -1,29 +1,18 @@
 #include "tetracone/covering/io/read_poly.h"
 
-#include "tetracone/covering/io/read.h"
+#include "verify/test/support/model_texts.h"
 #include "verify/test/support/suite.h"
-#include "verify/test/support/temporary_file.h"
 
 BOOST_AUTO_TEST_SUITE(test_read_poly)
 
 using namespace tetracone::covering;
+using namespace tetracone::verify::texts;
 using tetracone::kernel::Rational;
 using tetracone::verify::Temporary_file;
 
 namespace {
 
-const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
-
-Read_model read_text(const std::string& text)
-{
-  const Temporary_file file("model.poly", text);
-  return read_model(file.path());
-}
-
-std::string error_of(const std::string& text)
-{
-  return tetracone::verify::error_of(Temporary_file("model.poly", text), [](const auto& path) { read_model(path); });
-}
+Read_model read_poly(const std::string& text) { return read_text(".poly", text); }
 
 std::string nodes(const std::vector<std::array<double, 3>>& points, int base)
 {
@@ -71,10 +60,10 @@ BOOST_AUTO_TEST_CASE(what_closes_as_it_stands_is_left_alone_inward_too)
   auto inward = cube_faces;
   for (auto& face : inward) std::reverse(face.begin(), face.end());
   for (const int base : {0, 1}) {
-    const Read_model out = read_text(nodes(cube_points, base) + facets(cube_faces, base) + "0\n0\n");
+    const Read_model out = read_poly(nodes(cube_points, base) + facets(cube_faces, base) + "0\n0\n");
     BOOST_TEST((volume(out.polyhedron) == 1));
     BOOST_TEST(out.facets_turned == 0u);
-    const Read_model in = read_text(nodes(cube_points, base) + facets(inward, base) + "0\n");
+    const Read_model in = read_poly(nodes(cube_points, base) + facets(inward, base) + "0\n");
     BOOST_TEST((volume(in.polyhedron) == -1));
     BOOST_TEST(in.facets_turned == 0u);
   }
@@ -86,7 +75,7 @@ BOOST_AUTO_TEST_CASE(every_choice_of_turned_facets_gives_the_outward_cube_unless
     auto faces = cube_faces;
     for (int f = 0; f < 6; ++f)
       if (turned >> f & 1) std::reverse(faces[f].begin(), faces[f].end());
-    const Read_model model = read_text(nodes(cube_points, 1) + facets(faces, 1) + "0\n");
+    const Read_model model = read_poly(nodes(cube_points, 1) + facets(faces, 1) + "0\n");
     BOOST_TEST(is_closed(model.polyhedron));
     BOOST_TEST((volume(model.polyhedron) == (turned == 63 ? -1 : 1)));
     BOOST_TEST(model.facets_turned == (turned == 63 ? 0 : std::popcount(turned)));
@@ -112,7 +101,7 @@ BOOST_AUTO_TEST_CASE(nodes_may_stand_in_a_file_of_their_own)
 BOOST_AUTO_TEST_CASE(hole_points_and_regions_behind_the_facets_are_passed_over)
 {
   const Read_model model =
-      read_text(nodes(cube_points, 0) + facets(cube_faces, 0) + "1\n1 0.5 0.5 0.5\n1\n1 0.5 0.5 0.5 1 0.1\n");
+      read_poly(nodes(cube_points, 0) + facets(cube_faces, 0) + "1\n1 0.5 0.5 0.5\n1\n1 0.5 0.5 0.5 1 0.1\n");
   BOOST_TEST((volume(model.polyhedron) == 1));
   BOOST_TEST(model.notes.at(0) == "hole points of the volume are not used: only the facets' directions make a cavity");
 }
@@ -120,7 +109,7 @@ BOOST_AUTO_TEST_CASE(hole_points_and_regions_behind_the_facets_are_passed_over)
 BOOST_AUTO_TEST_CASE(an_open_facet_list_stays_open)
 {
   const std::vector<std::vector<int>> lid(cube_faces.begin(), cube_faces.begin() + 5);
-  BOOST_TEST(!is_closed(read_text(nodes(cube_points, 0) + facets(lid, 0)).polyhedron));
+  BOOST_TEST(!is_closed(read_poly(nodes(cube_points, 0) + facets(lid, 0)).polyhedron));
 }
 
 BOOST_AUTO_TEST_CASE(a_hole_loop_is_turned_in_a_projection_where_it_has_area)
@@ -152,36 +141,25 @@ BOOST_AUTO_TEST_CASE(a_hole_loop_is_turned_in_a_projection_where_it_has_area)
 BOOST_AUTO_TEST_CASE(the_first_thing_wrong_is_named_with_its_line)
 {
   const std::string points = nodes(cube_points, 1);
-  const auto fails_at = [](const std::string& error, const std::string& line) {
-    return error.starts_with(line + ": ") && error.find("; expected") != std::string::npos;
-  };
-  BOOST_TEST(fails_at(error_of("2 2 0 0\n1 0 0\n2 1 0\n"), ":1"));
-  BOOST_TEST(fails_at(error_of("1 3 0 0\n2 0 0 0\n"), ":2"));
-  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n3 0 0 0\n"), ":3"));
-  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n2 0 0 # y is missing\n"), ":3"));
-  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n2 0 0 0 7\n"), ":3"));
-  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0 # the last one\n"), ":2"));
-  BOOST_TEST(fails_at(error_of(points), ":9"));
-  BOOST_TEST(fails_at(error_of(points + "1\n"), ":10"));
-  BOOST_TEST(fails_at(error_of(points + "99999\n1\n3 1 2 3\n"), ":10"));
-  BOOST_TEST(fails_at(error_of(points + "1\n0 # no polygon\n"), ":11"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 9\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 0\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 3 4\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n2 1 2\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n4294967298 1 2\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n2 0\n4 1 2 3 4\n3 5 6 7\n"), ":11"));
-  BOOST_TEST(fails_at(error_of(points + "1\n2 1\n4 1 2 3 4\n3 5 6 7\n1 0 x 0\n"), ":14"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 3\n2\n1 0 0 0\n"), ":13"));
-  BOOST_TEST(error_of(points + "0\n") == ": no face; expected a model with faces");
+  check_refused(".poly", ":1", "", {"2 2 0 0\n1 0 0\n2 1 0\n"});
+  check_refused(".poly", ":2", "1 3 0 0\n", {"2 0 0 0\n"});
+  check_refused(".poly", ":3", "2 3 0 0\n1 0 0 0\n", {"3 0 0 0\n", "2 0 0 # y is missing\n", "2 0 0 0 7\n"});
+  check_refused(".poly", ":2", "2 3 0 0\n", {"1 0 0 0 # the last one\n"});
+  check_refused(".poly", ":9", points, {""});
+  check_refused(".poly", ":10", points, {"1\n", "99999\n1\n3 1 2 3\n"});
+  check_refused(".poly", ":11", points, {"1\n0 # no polygon\n", "1\n2 0\n4 1 2 3 4\n3 5 6 7\n"});
+  check_refused(".poly", ":12", points + "1\n1\n",
+                {"3 1 2 9\n", "3 1 2 0\n", "3 1 2\n", "3 1 2 3 4\n", "2 1 2\n", "4294967298 1 2\n"});
+  check_refused(".poly", ":14", points, {"1\n2 1\n4 1 2 3 4\n3 5 6 7\n1 0 x 0\n"});
+  check_refused(".poly", ":13", points, {"1\n1\n3 1 2 3\n2\n1 0 0 0\n"});
+  BOOST_TEST(error_of(".poly", points + "0\n") == ": no face; expected a model with faces");
 }
 
 BOOST_AUTO_TEST_CASE(every_truncation_is_read_or_refused_in_one_line)
 {
   const std::string text = tetracone::covering::read_bytes(models + "frame.poly");
   for (std::size_t length = 0; length < text.size(); ++length) {
-    const std::string error = error_of(text.substr(0, length));
+    const std::string error = error_of(".poly", text.substr(0, length));
     BOOST_TEST((error == "no error" ||
                 (error.find("; expected") != std::string::npos && error.find('\n') == std::string::npos)));
   }
