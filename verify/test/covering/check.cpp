@@ -7,7 +7,7 @@ BOOST_AUTO_TEST_SUITE(test_check)
 
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -30,7 +30,7 @@ bool closed_by_brute_force(const Polyhedron& polyhedron)
 
 BOOST_AUTO_TEST_CASE(a_cube_is_a_cube)
 {
-  const Check c = check(scenes::unit_cube());
+  const Check c = check(unit_cube());
   BOOST_TEST(c.vertices == 8u);
   BOOST_TEST(c.used_vertices == 8u);
   BOOST_TEST(c.faces == 6u);
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_cube_is_a_cube)
 
 BOOST_AUTO_TEST_CASE(holed_faces_count_for_the_genus)
 {
-  const Check c = check(scenes::square_frame());
+  const Check c = check(square_frame());
   BOOST_TEST(c.closed);
   BOOST_TEST((c.volume.value() == 8));
   BOOST_TEST(c.hole_loops == 2u);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(holed_faces_count_for_the_genus)
 
 BOOST_AUTO_TEST_CASE(a_torus_has_genus_one_and_no_planar_face)
 {
-  const Check c = check(scenes::torus(7, 5));
+  const Check c = check(torus(7, 5));
   BOOST_TEST(c.closed);
   BOOST_TEST(c.shells.at(0).genus.value() == 1u);
   BOOST_TEST((c.orientation == Orientation::outward));
@@ -76,8 +76,8 @@ BOOST_AUTO_TEST_CASE(a_torus_has_genus_one_and_no_planar_face)
 BOOST_AUTO_TEST_CASE(shells_have_their_own_volume_and_orientation)
 {
   Polyhedron p;
-  append(p, scenes::box({0, 0, 0}, {4, 4, 4}));
-  append(p, scenes::box({1, 1, 1}, {2, 2, 2}), true);  // a cavity
+  append(p, box({0, 0, 0}, {4, 4, 4}));
+  append(p, box({1, 1, 1}, {2, 2, 2}), true);  // a cavity
   Check c = check(p);
   BOOST_TEST(c.closed);
   BOOST_REQUIRE(c.shells.size() == 2u);
@@ -86,8 +86,8 @@ BOOST_AUTO_TEST_CASE(shells_have_their_own_volume_and_orientation)
   BOOST_TEST((c.volume.value() == 63));
   BOOST_TEST((c.orientation == Orientation::mixed));
   Polyhedron inward;
-  append(inward, scenes::box({0, 0, 0}, {2, 2, 2}), true);
-  append(inward, scenes::box({5, 5, 5}, {6, 6, 6}), true);
+  append(inward, box({0, 0, 0}, {2, 2, 2}), true);
+  append(inward, box({5, 5, 5}, {6, 6, 6}), true);
   c = check(inward);
   BOOST_TEST((c.volume.value() == -9));
   BOOST_TEST((c.orientation == Orientation::inward));
@@ -96,12 +96,12 @@ BOOST_AUTO_TEST_CASE(shells_have_their_own_volume_and_orientation)
 BOOST_AUTO_TEST_CASE(the_volume_is_exact_where_doubles_are_not)
 {
   const Rational side(0.1);
-  BOOST_TEST((check(scenes::box({0, 0, 0}, {0.1, 0.1, 0.1})).volume.value() == side * side * side));
+  BOOST_TEST((check(box({0, 0, 0}, {0.1, 0.1, 0.1})).volume.value() == side * side * side));
 }
 
 BOOST_AUTO_TEST_CASE(an_open_surface_names_its_open_edges)
 {
-  const Check c = check(scenes::without(scenes::unit_cube(), [](Index f) { return f == 4; }));
+  const Check c = check(without(unit_cube(), [](Index f) { return f == 4; }));
   BOOST_TEST(!c.closed);
   BOOST_TEST(!c.volume.has_value());
   BOOST_TEST((c.orientation == Orientation::open));
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(an_open_surface_names_its_open_edges)
 
 BOOST_AUTO_TEST_CASE(a_turned_face_opens_each_of_its_edges_by_two)
 {
-  const Polyhedron p = scenes::unit_cube();
+  const Polyhedron p = unit_cube();
   Polyhedron turned;
   turned.vertices = p.vertices;
   for (Index f = 0; f < 6; ++f) append_face(turned, p, f, f == 2);
@@ -159,8 +159,8 @@ BOOST_AUTO_TEST_CASE(closed_agrees_with_the_definition_on_random_faces)
 
 BOOST_AUTO_TEST_CASE(two_cubes_that_share_an_edge_are_closed_and_no_manifold)
 {
-  Polyhedron p = scenes::unit_cube();
-  append(p, scenes::box({1, 1, 1}, {2, 2, 2}));
+  Polyhedron p = unit_cube();
+  append(p, box({1, 1, 1}, {2, 2, 2}));
   // Vertex 7 = (1,1,1) of the first is vertex 8 of the second: they touch in a point.
   Polyhedron touching;
   touching.vertices = p.vertices;
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(two_cubes_that_share_an_edge_are_closed_and_no_manifold)
 
 BOOST_AUTO_TEST_CASE(degenerate_elements_are_named)
 {
-  Polyhedron p = scenes::unit_cube();
+  Polyhedron p = unit_cube();
   p.vertices.push_back({0.5, 0, 0});  // 8: on the edge 0-1
   p.vertices.push_back({1, 0, 0});    // 9: repeats 1
   p.vertices.push_back({7, 7, 7});    // 10: of no face
@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(planarity_is_the_same_for_every_order_of_corners)
 
 BOOST_AUTO_TEST_CASE(a_hole_off_the_plane_of_its_face_counts)
 {
-  Polyhedron p = scenes::square_frame();
+  Polyhedron p = square_frame();
   p.vertices[4][2] = -0.5;
   const Check c = check(p);
   BOOST_REQUIRE(!c.off_plane.empty());

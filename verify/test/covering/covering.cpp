@@ -10,9 +10,8 @@ BOOST_AUTO_TEST_SUITE(test_covering)
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 using rationals::Vector;
-using scenes::Random;
 
 namespace {
 
@@ -34,7 +33,7 @@ BOOST_AUTO_TEST_CASE(known_volumes_are_exact)
                                                  {"spur", 64},
                                                  {"degenerate faces", 64}};
   int found = 0;
-  for (const auto& [name, body] : scenes::closed_bodies()) {
+  for (const auto& [name, body] : closed_bodies()) {
     BOOST_TEST_INFO_SCOPE(name);
     BOOST_TEST((Rational(6 * volume(body)) == rationals::six_volumes(body)));
     const auto at = known.find(name);
@@ -45,13 +44,13 @@ BOOST_AUTO_TEST_CASE(known_volumes_are_exact)
   BOOST_TEST(found == int(known.size()));
 
   Random random(2);
-  const scenes::Voxels voxels(random, 3);
+  const Voxels voxels(random, 3);
   BOOST_TEST((volume(voxels.solid()) == std::count(voxels.full.begin(), voxels.full.end(), true)));
 }
 
 BOOST_AUTO_TEST_CASE(every_real_edge_is_a_side_of_a_triangle_of_each_of_its_faces)
 {
-  for (const auto& [name, body] : scenes::closed_bodies()) {
+  for (const auto& [name, body] : closed_bodies()) {
     BOOST_TEST_INFO_SCOPE(name);
     const Covering covering(body);
     std::set<std::array<Index, 2>> all;
@@ -77,7 +76,7 @@ BOOST_AUTO_TEST_CASE(every_real_edge_is_a_side_of_a_triangle_of_each_of_its_face
 
 BOOST_AUTO_TEST_CASE(a_side_that_is_marked_joins_the_corners_of_its_edge_and_an_unmarked_one_is_no_edge_of_the_face)
 {
-  for (const auto& [name, body] : scenes::closed_bodies()) {
+  for (const auto& [name, body] : closed_bodies()) {
     BOOST_TEST_INFO_SCOPE(name);
     const Covering covering(body);
     int wrong = 0;
@@ -99,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_side_that_is_marked_joins_the_corners_of_its_edge_and_an_
 
 BOOST_AUTO_TEST_CASE(spanning_corners_are_off_one_line_and_missing_only_where_all_corners_are_on_one)
 {
-  for (const auto& [name, body] : scenes::closed_bodies()) {
+  for (const auto& [name, body] : closed_bodies()) {
     BOOST_TEST_INFO_SCOPE(name);
     const Covering covering(body);
     for (Index f = 0; f < body.face_count(); ++f) {
@@ -143,14 +142,14 @@ BOOST_AUTO_TEST_CASE(faces_of_many_corners_are_spanned_by_any_of_them)
 BOOST_AUTO_TEST_CASE(a_vertex_speaks_for_each_connected_shell)
 {
   const auto count = [](const Polyhedron& body) { return Covering(body).shell_vertices().size(); };
-  BOOST_TEST(count(scenes::cube(1)) == 1u);
-  BOOST_TEST(count(scenes::cube_with_cavity()) == 2u);
+  BOOST_TEST(count(cube(1)) == 1u);
+  BOOST_TEST(count(cube_with_cavity()) == 2u);
   Random random(4);
-  BOOST_TEST(count(scenes::random_tetrahedra(random, 5, 3)) == 5u);
+  BOOST_TEST(count(random_tetrahedra(random, 5, 3)) == 5u);
   // Unused vertices are on no surface.
   Polyhedron unused;
   unused.vertices.push_back({9, 9, 9});
-  scenes::append(unused, scenes::cube(1));
+  append(unused, cube(1));
   BOOST_TEST(count(unused) == 1u);
   BOOST_TEST(Covering(unused).shell_vertices()[0] != 0u);
 }
@@ -158,7 +157,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_speaks_for_each_connected_shell)
 BOOST_AUTO_TEST_CASE(two_boxes_joined_by_a_face_of_two_outer_loops_are_two_parts_of_the_surface)
 {
   // Legal: the face's points are two squares that share no point, so one vertex cannot speak for both boxes.
-  const Polyhedron both = scenes::joined_boxes(scenes::unit_cube(), scenes::box({5, 0, 0}, {6, 1, 1}));
+  const Polyhedron both = joined_boxes(unit_cube(), box({5, 0, 0}, {6, 1, 1}));
   BOOST_TEST((volume(both) == 2));
   std::set<bool> sides;
   const Covering covering(both);
@@ -183,14 +182,14 @@ BOOST_AUTO_TEST_CASE(two_threads_make_the_same_covering)
     }
     return all;
   };
-  for (const auto& [name, body] : scenes::closed_bodies()) BOOST_TEST_CONTEXT(name)
+  for (const auto& [name, body] : closed_bodies()) BOOST_TEST_CONTEXT(name)
     {
       BOOST_TEST((bytes(Covering(body, tetracone::verify::At_once())) == bytes(Covering(body))));
     }
   // A body of several parts; then also faces whose number of triangles is not their number of corners less two, and
   // planes through other corners.
-  scenes::Random random(4);
-  Polyhedron large = scenes::blob(random, 6, 0.5, 1.5);
+  Random random(4);
+  Polyhedron large = blob(random, 6, 0.5, 1.5);
   BOOST_TEST(large.face_count() > 2 * most_in_part);
   BOOST_TEST((bytes(Covering(large, tetracone::verify::At_once())) == bytes(Covering(large))));
   const auto first = Index(large.vertices.size());

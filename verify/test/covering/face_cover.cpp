@@ -8,7 +8,7 @@
 BOOST_AUTO_TEST_SUITE(test_face_cover)
 
 using namespace tetracone::covering;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 using Triangles = std::vector<Face_cover::Triangle>;
 
 namespace {
@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(what_covers_a_face_has_no_flaw)
   BOOST_TEST(flaw(twice, {{0, 1, 2}, {0, 2, 3}, {1, 2, 3}, {1, 3, 0}}) == "");
   BOOST_TEST(flaw(twice, {{0, 1, 2}, {0, 2, 3}}) != "");
   // All that is made here.
-  for (const auto& [name, body] : scenes::closed_bodies()) BOOST_TEST_CONTEXT(name)
+  for (const auto& [name, body] : closed_bodies()) BOOST_TEST_CONTEXT(name)
     {
       BOOST_TEST(!cover_flaw(body, star_faces(body)).has_value());
       BOOST_TEST(!cover_flaw(body, triangulate_faces(body)).has_value());
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(a_corner_of_the_face_before_is_not_this_ones)
 
 BOOST_AUTO_TEST_CASE(the_face_is_named)
 {
-  const Polyhedron cube = scenes::unit_cube();
+  const Polyhedron cube = unit_cube();
   auto triangles = star_faces(cube);
   BOOST_TEST(!cover_flaw(cube, triangles).has_value());
   std::reverse(triangles.begin(), triangles.end());

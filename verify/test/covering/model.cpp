@@ -10,7 +10,7 @@ BOOST_AUTO_TEST_SUITE(test_model)
 using namespace tetracone::covering;
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -31,7 +31,7 @@ rationals::Vector exactly(const Point<K>& p)
 
 KERNEL_TEST_CASE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattice, K, Vertex_kernels)
 {
-  for (const auto& [name, body] : scenes::closed_bodies()) {
+  for (const auto& [name, body] : closed_bodies()) {
     BOOST_TEST_INFO_SCOPE(name);
     const Model<K> model(body);
     BOOST_TEST(model.face_count() == body.face_count());
@@ -44,15 +44,15 @@ KERNEL_TEST_CASE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattic
 
 KERNEL_TEST_CASE(placed_points_are_the_exact_images_pose_after_pose, K, Exact_motions)
 {
-  scenes::Random random(1);
-  const Polyhedron body = scenes::cube_with_tunnel();
+  Random random(1);
+  const Polyhedron body = cube_with_tunnel();
   const Model<K> model(body);
   Placed_model<K> placed(model);
   std::vector<Pose> poses;
   for (int n = 0; n < 10; ++n) {
-    poses.push_back(scenes::random_rotation(random, 5, {Rational(1) / Rational(3), 2, n}));
-    poses.push_back(scenes::rounded(poses.back()));
-    poses.push_back(scenes::random_affine(random));
+    poses.push_back(random_rotation(random, 5, {Rational(1) / Rational(3), 2, n}));
+    poses.push_back(rounded(poses.back()));
+    poses.push_back(random_affine(random));
     poses.push_back(Pose());
   }
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -71,7 +71,7 @@ KERNEL_TEST_CASE(placed_points_are_the_exact_images_pose_after_pose, K, Exact_mo
 KERNEL_TEST_CASE(signs_of_placed_points_are_those_of_their_pose, K, Exact_motions)
 {
   // The moved corner is on the plane x = 1 of the cube that stays, then beside it by less than doubles tell.
-  const Model<K> model(scenes::unit_cube());
+  const Model<K> model(unit_cube());
   Placed_model<K> moved(model), fixed(model);
   std::vector<Pose> poses;
   for (const double shift : {0.0, 0x1p-80, -0x1p-80, 0.0}) {
@@ -98,12 +98,12 @@ KERNEL_TEST_CASE(signs_of_placed_points_are_those_of_their_pose, K, Exact_motion
 
 KERNEL_TEST_CASE(a_placed_face_shows_the_loops_of_its_face_at_the_pose, K, Exact_motions)
 {
-  scenes::Random random(2);
-  for (const auto& [name, body] : scenes::closed_bodies()) {
+  Random random(2);
+  for (const auto& [name, body] : closed_bodies()) {
     BOOST_TEST_INFO_SCOPE(name);
     const Model<K> model(body);
     Placed_model<K> placed(model);
-    const Pose pose = scenes::random_affine(random);
+    const Pose pose = random_affine(random);
     placed.place(pose);
     const auto at = [&, &vertices = body.vertices](Index v) {
       return rationals::image(pose, rationals::exactly(vertices[v]));

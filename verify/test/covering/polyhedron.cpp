@@ -6,7 +6,7 @@
 BOOST_AUTO_TEST_SUITE(test_polyhedron)
 
 using namespace tetracone::covering;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -16,7 +16,7 @@ std::vector<Index> indices(Loop loop) { return {loop.begin(), loop.end()}; }
 
 BOOST_AUTO_TEST_CASE(a_face_may_be_built_from_the_loops_of_another_polyhedron)
 {
-  const Polyhedron tunnel = scenes::cube_with_tunnel();
+  const Polyhedron tunnel = cube_with_tunnel();
   Polyhedron copy;
   for (Index f = 0; f < tunnel.face_count(); ++f) {
     std::vector<Loop> loops;
@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(a_face_may_be_built_from_the_loops_of_another_polyhedron)
 
 BOOST_AUTO_TEST_CASE(append_turned_runs_every_loop_the_other_way_round_and_twice_gives_it_back)
 {
-  const Polyhedron tunnel = scenes::cube_with_tunnel();
+  const Polyhedron tunnel = cube_with_tunnel();
   Polyhedron once, twice;
   append(once, tunnel, true);
   append(twice, once, true);

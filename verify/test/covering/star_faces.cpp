@@ -6,7 +6,7 @@
 BOOST_AUTO_TEST_SUITE(test_star_faces)
 
 using namespace tetracone::covering;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -27,7 +27,7 @@ Polyhedron polygon(const std::vector<std::array<double, 2>>& corners, bool turne
 
 BOOST_AUTO_TEST_CASE(convex_faces_are_fans)
 {
-  const auto of_cube = star_faces(scenes::unit_cube());
+  const auto of_cube = star_faces(unit_cube());
   BOOST_TEST(of_cube.size() == 12u);
   std::set<Index> faces;
   for (const Face_triangle& t : of_cube) faces.insert(t.face);
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(convex_faces_are_fans)
 
 BOOST_AUTO_TEST_CASE(other_faces_are_left_as_they_are)
 {
-  BOOST_TEST(star_faces(scenes::triangulated(scenes::unit_cube())).empty());
+  BOOST_TEST(star_faces(triangulated(unit_cube())).empty());
   BOOST_TEST(star_faces(polygon({{0, 0}, {2, 0}, {2, 2}, {1, -1}})).empty());  // crosses itself
   BOOST_TEST(star_faces(polygon({{0, 0}, {1, 0}, {2, 0}, {2, 2}})).empty());   // three on a line
   BOOST_TEST(star_faces(polygon({{4, 0}, {0, 1}, {-4, 0}, {0, 4}})).size() <= 2u);
@@ -50,8 +50,8 @@ BOOST_AUTO_TEST_CASE(other_faces_are_left_as_they_are)
   BOOST_TEST(star_faces(polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}, {1, 0}, {1, 1}, {0, 1}})).empty());  // twice
                                                                                                               // round
   std::set<Index> faces;
-  for (const Face_triangle& t : star_faces(scenes::cube_with_tunnel())) faces.insert(t.face);
-  for (const Index f : faces) BOOST_TEST(scenes::cube_with_tunnel().loop_count(f) == 1u);
+  for (const Face_triangle& t : star_faces(cube_with_tunnel())) faces.insert(t.face);
+  for (const Index f : faces) BOOST_TEST(cube_with_tunnel().loop_count(f) == 1u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

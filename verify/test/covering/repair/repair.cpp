@@ -11,7 +11,7 @@ BOOST_AUTO_TEST_SUITE(test_repair)
 
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -43,7 +43,7 @@ Polyhedron turn_some(const Polyhedron& p, unsigned long turned)
 
 BOOST_AUTO_TEST_CASE(planar_faces_stay_as_they_are)
 {
-  const Polyhedron p = scenes::square_frame();
+  const Polyhedron p = square_frame();
   const Triangulated t = triangulate_non_planar(p);
   BOOST_TEST(t.replaced.empty());
   BOOST_TEST(t.polyhedron.face_count() == p.face_count());
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(planar_faces_stay_as_they_are)
 
 BOOST_AUTO_TEST_CASE(only_the_faces_off_plane_are_replaced_and_the_solid_stays_closed)
 {
-  const Polyhedron p = scenes::square_frame(0.25);
+  const Polyhedron p = square_frame(0.25);
   const Triangulated t = triangulate_non_planar(p);
   // The top, with its hole; the walls at the lifted corner are still planar.
   BOOST_TEST((t.replaced == std::vector<Index>{1}));
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(only_the_faces_off_plane_are_replaced_and_the_solid_stays_c
 
 BOOST_AUTO_TEST_CASE(every_quad_of_a_torus_becomes_two_triangles)
 {
-  const Polyhedron p = scenes::torus(9, 7);
+  const Polyhedron p = torus(9, 7);
   const Triangulated t = triangulate_non_planar(p);
   BOOST_TEST(t.polyhedron.face_count() == p.face_count() + t.replaced.size());
   BOOST_TEST(t.fanned.empty());
@@ -174,7 +174,7 @@ BOOST_AUTO_TEST_CASE(random_loops_keep_their_boundary)
 BOOST_AUTO_TEST_CASE(orientation_restores_any_turned_faces_and_cgal_agrees_with_the_walk)
 {
   std::mt19937_64 random(7);
-  const Polyhedron p = scenes::torus(6, 5);
+  const Polyhedron p = torus(6, 5);
   for (int round = 0; round < 50; ++round) {
     const unsigned long pattern = random() & 0x3fffffff;
     const Polyhedron turned = turn_some(p, pattern);
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(orientation_restores_any_turned_faces_and_cgal_agrees_with_
 
 BOOST_AUTO_TEST_CASE(holed_faces_are_oriented_too)
 {
-  const Polyhedron p = scenes::square_frame();
+  const Polyhedron p = square_frame();
   for (unsigned long pattern = 1; pattern + 1 < 1024; ++pattern) {
     const Oriented oriented = orient(turn_some(p, pattern));
     BOOST_TEST(is_closed(oriented.polyhedron));
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(holed_faces_are_oriented_too)
 
 BOOST_AUTO_TEST_CASE(what_is_closed_is_left_alone_inward_too)
 {
-  const Polyhedron p = turn_some(scenes::torus(6, 5), ~0ul);
+  const Polyhedron p = turn_some(torus(6, 5), ~0ul);
   const Oriented oriented = orient(p);
   BOOST_TEST(oriented.turned.empty());
   BOOST_TEST((CGAL::sign(volume(oriented.polyhedron)) == CGAL::NEGATIVE));
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(what_is_closed_is_left_alone_inward_too)
 
 BOOST_AUTO_TEST_CASE(an_open_surface_is_not_closed_by_orientation)
 {
-  BOOST_TEST(!closes_if_oriented(scenes::without_last_face(scenes::torus(6, 5))));
+  BOOST_TEST(!closes_if_oriented(without_last_face(torus(6, 5))));
 }
 
 BOOST_AUTO_TEST_CASE(a_moebius_band_cannot_be_oriented)

@@ -11,7 +11,7 @@ using Points = std::vector<Bound_point<double>>;
 
 namespace {
 
-Points random_points(tetracone::verify::scenes::Random& random, const Bound_point<double>& flat)
+Points random_points(Random& random, const Bound_point<double>& flat)
 {
   Points points;
   for (int k = 0; k < 20; ++k) {

@@ -8,9 +8,8 @@ BOOST_AUTO_TEST_SUITE(test_bounds)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 using rationals::Vector;
-using scenes::Random;
 
 namespace {
 
@@ -32,7 +31,7 @@ Points random_points(Random& random, int count, int scale)
 {
   Points points(count);
   for (Vertex& p : points) {
-    p = scenes::real_vertex(random, 1);
+    p = real_vertex(random, 1);
     for (double& x : p) x = std::ldexp(x, scale);
   }
   return points;
@@ -44,10 +43,10 @@ Points random_points(Random& random, int count, int scale)
 
 BOOST_AUTO_TEST_CASE(beyond_the_gate_the_error_is_infinite)
 {
-  const Pose shifted = scenes::translation(1, 0, 0);
+  const Pose shifted = translation(1, 0, 0);
   BOOST_TEST(std::isfinite(Frame(shifted, 0x1p249).error()));
   BOOST_TEST(!std::isfinite(Frame(shifted, 0x1p251).error()));
-  BOOST_TEST(!std::isfinite(Frame(scenes::translation(0x1p251, 0, 0), 1).error()));
+  BOOST_TEST(!std::isfinite(Frame(translation(0x1p251, 0, 0), 1).error()));
   BOOST_TEST(!std::isfinite(Frame(Pose(), infinity).error()));
   BOOST_TEST(!std::isfinite(Frame(shifted, undefined).error()));
 }
@@ -56,8 +55,8 @@ BOOST_AUTO_TEST_CASE(pulled_back_is_turned_into_its_argument_up_to_a_factor)
 {
   Random random(3);
   for (int n = 0; n < 100; ++n) {
-    const Pose pose = scenes::random_affine(random);
-    const Vertex v = scenes::grid_vertex(random, 5);
+    const Pose pose = random_affine(random);
+    const Vertex v = grid_vertex(random, 5);
     const auto pulled = Frame(pose, 1).pulled_back(v);
     // Small integers: exact. M w = det(M) v.
     const auto turned = [&](const Vector& x) {
@@ -124,7 +123,7 @@ BOOST_AUTO_TEST_CASE(undefined_balls_are_never_separated)
        {Ball<double>{{9, 0, 0}, infinity}, {{9, 0, 0}, undefined}, {{undefined, 0, 0}, 1}, {{9, 9, undefined}, 1}})
     BOOST_TEST((!separated<double, true>(a, bad)));
   // A centre that overflowed comes with an infinite radius.
-  const Frame frame(scenes::translation(0x1p1023, 0, 0), 0x1p1023);
+  const Frame frame(translation(0x1p1023, 0, 0), 0x1p1023);
   BOOST_TEST((!separated<double, true>(a, placed(frame, Ball<double>{{0x1p1023, 0, 0}, 1}))));
 }
 
@@ -136,7 +135,7 @@ BOOST_AUTO_TEST_CASE(all_axes_find_all_tetrahedra_that_are_apart_by_a_margin_and
   int missed = 0, missed_by_faces = 0;
   for (int n = 0; n < 3000; ++n) {
     Points a = random_points(random, 4, 0), b = random_points(random, 4, 0);
-    const Vertex d = scenes::real_vertex(random, 1);
+    const Vertex d = real_vertex(random, 1);
     const auto along = [&d](const Vertex& p, const Vertex& q) { return dot(d, p) < dot(d, q); };
     const double way =
         (dot(d, *std::ranges::max_element(a, along)) - dot(d, *std::ranges::min_element(b, along))) / dot(d, d) +
@@ -159,13 +158,12 @@ BOOST_AUTO_TEST_CASE(tetrahedra_that_touch_in_a_corner_are_separated_by_rounding
   int wrong = 0, by_rounding = 0;
   for (int n = 0; n < 1000; ++n) {
     // B is A's mirror image in its first corner, modelled d away, and its pose takes it back.
-    const Vertex d = scenes::grid_vertex(random, 1 << 20);
+    const Vertex d = grid_vertex(random, 1 << 20);
     Points a(4), b(4);
-    for (Vertex& p : a) p = scenes::grid_vertex(random, 1 << 20);
+    for (Vertex& p : a) p = grid_vertex(random, 1 << 20);
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < 3; ++i) b[k][i] = 2 * a[0][i] - a[k][i] + d[i];
-    const Pose pose = scenes::random_rotation(random, 9),
-               back = scenes::composed(pose, scenes::translation(-d[0], -d[1], -d[2]));
+    const Pose pose = random_rotation(random, 9), back = composed(pose, translation(-d[0], -d[1], -d[2]));
     const Frame frame_a(pose, reach_of(a)), frame_b(back, reach_of(b));
     Bound_tetrahedron<double> p, q;
     for (int k = 0; k < 4; ++k) {
@@ -182,7 +180,7 @@ BOOST_AUTO_TEST_CASE(tetrahedra_that_touch_in_a_corner_are_separated_by_rounding
 BOOST_AUTO_TEST_CASE(undefined_tetrahedra_are_never_separated)
 {
   const Bound_tetrahedron<double> a = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  const Frame far(scenes::translation(0x1p600, 0, 0), 0x1p700), here(Pose(), 1);
+  const Frame far(translation(0x1p600, 0, 0), 0x1p700), here(Pose(), 1);
   Bound_tetrahedron<double> b;
   for (int k = 0; k < 4; ++k) b[k] = far({0x1p699 * k, 0x1p698, 0});
   BOOST_TEST(!separated<double>(a, b, true, projection_slack(here, far)));

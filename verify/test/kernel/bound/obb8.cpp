@@ -10,26 +10,18 @@ BOOST_AUTO_TEST_SUITE(test_obb8)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::integer;
-using scenes::Placing;
-using scenes::Random;
-using scenes::real;
-using scenes::solved;
-using scenes::vector;
-using scenes::vector_of;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
 /// Similarities, shears, reflections; far from the origin; bodies of unlike units.
 Placing placing(Random& random, int kind)
 {
-  Placing p = scenes::random_placing(random);
-  p.a = kind % 2 == 0 ? scenes::random_rotation(random, 5, {Rational(1) / 3, 0, 1})
-                      : scenes::rounded(scenes::random_rotation(random, 5));
-  p.b = scenes::rounded(scenes::random_rotation(random, 5, {1, 0, Rational(1) / 7}));
-  if (kind % 3 == 1) p.b = scenes::random_affine(random, 2);
-  if (kind % 3 == 2) scenes::move_far(p, 0x1p30);  // where the translations cancel
+  Placing p = random_placing(random);
+  p.a = kind % 2 == 0 ? random_rotation(random, 5, {Rational(1) / 3, 0, 1}) : rounded(random_rotation(random, 5));
+  p.b = rounded(random_rotation(random, 5, {1, 0, Rational(1) / 7}));
+  if (kind % 3 == 1) p.b = random_affine(random, 2);
+  if (kind % 3 == 2) move_far(p, 0x1p30);  // where the translations cancel
   return p;
 }
 
@@ -50,7 +42,7 @@ void set_lane(Obb8& boxes, int lane, Random& random)
 {
   std::vector<Vector> points;
   for (int k = 0; k < 6; ++k) points.push_back(vector(random, 0.5));
-  scenes::store_lane(boxes, lane, fitted_box(points, 1).axes, vector_of(boxes.origin), points);
+  store_lane(boxes, lane, fitted_box(points, 1).axes, vector_of(boxes.origin), points);
 }
 
 }  // namespace
@@ -136,7 +128,7 @@ BOOST_AUTO_TEST_CASE(edges_so_short_that_their_squares_underflow_have_length_1_o
       Obb8 from{}, boxes{};
       const std::vector<Vector> corners = {Vector(0.5, 0.25, 0.125), Vector(-0.5, -0.25, -0.125),
                                            Vector(0.5, -0.25, 0.125), Vector(-0.5, 0.25, -0.125)};
-      scenes::store_lane(from, 0, Matrix::identity(), Vector(), corners);
+      store_lane(from, 0, Matrix::identity(), Vector(), corners);
       const Single_box box = map(boxes, from, 0);
       if (!std::isfinite(box.slack)) {
         ++unknown;

@@ -8,12 +8,7 @@
 BOOST_AUTO_TEST_SUITE(test_obb8_distance)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
-using scenes::Random;
-using scenes::real;
-using scenes::set;
-using scenes::Solid;
-using scenes::vector;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -23,7 +18,7 @@ inline auto versions() { return TETRACONE_VERSIONS_HERE(find_gaps_simd); }
 
 Solid any(Random& random)
 {
-  Solid s{vector(random), scenes::random_axes(random), scenes::random_extents(random)};
+  Solid s{vector(random), random_axes(random), random_extents(random)};
   s.round();
   return s;
 }
@@ -39,7 +34,7 @@ struct Scene {
 
   Scene(Random& random, bool similarity, double gap)
   {
-    Matrix map = real(random, 0.3, 2) * scenes::random_axes(random);
+    Matrix map = real(random, 0.3, 2) * random_axes(random);
     if (!similarity) map.col(0) += 0.4 * map.col(1);
     const Vector offset = vector(random);
     std::array<double, 12> entries;

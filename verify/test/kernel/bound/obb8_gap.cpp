@@ -8,28 +8,17 @@
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
 
-namespace tetracone::kernel {
-
-inline auto certifying() { return TETRACONE_VERSIONS_HERE(certified_gaps_simd); }
-inline auto carrying() { return TETRACONE_VERSIONS_HERE(carry_now_simd); }
-inline auto least_after() { return TETRACONE_VERSIONS_HERE(least_gap_after_simd); }
-
-}  // namespace tetracone::kernel
-
 BOOST_AUTO_TEST_SUITE(test_obb8_gap)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::integer;
-using scenes::Placing;
-using scenes::point;
-using scenes::Random;
-using scenes::real;
-using scenes::set;
-using scenes::vector;
+using namespace tetracone::verify::scenes;
 
 namespace {
+
+inline auto certifying() { return TETRACONE_VERSIONS_HERE(certified_gaps_simd); }
+inline auto carrying() { return TETRACONE_VERSIONS_HERE(carry_now_simd); }
+inline auto least_after() { return TETRACONE_VERSIONS_HERE(least_gap_after_simd); }
 
 /// The shares of the corner of a box that reaches least along n, its axes turned by `direction`.
 template <class Direction>
@@ -98,18 +87,18 @@ Scene scene(Random& random, int kind)
 {
   Scene s;
   Placing& p = s.before;
-  p = scenes::random_placing(random);
-  if (kind % 4 == 1) p.b = scenes::scaled(p.b, 1.7);
-  if (kind % 5 == 2) scenes::move_far(p, 0x1p33);
-  if (kind % 3 == 1) p.b = scenes::rounded(p.b);
+  p = random_placing(random);
+  if (kind % 4 == 1) p.b = scaled(p.b, 1.7);
+  if (kind % 5 == 2) move_far(p, 0x1p33);
+  if (kind % 3 == 1) p.b = rounded(p.b);
   s.lane = integer(random, 0, 7);
   const double small = kind % 7 < 2 ? 1e-3 : 0.3;
-  scenes::set_single(s.from, s.lane, random, small, kind % 2 == 0 ? &s.apex : nullptr);
+  set_single(s.from, s.lane, random, small, kind % 2 == 0 ? &s.apex : nullptr);
   rationals::Vector middle = p.image(point(s.from, s.lane, {0, 0, 0}));
   const double near = small * nearest_double(Rational(p.in_b.unit / p.in_a.unit)) * (kind % 4 == 1 ? 1.7 : 1);
   for (int i = 0; i < 3; ++i)
     s.boxes.origin[i] = float(nearest_double(middle[i]) + near * real(random, -1, 1) * (kind % 6 == 0 ? 300 : 2));
-  scenes::set_near(s.boxes, random, near);
+  set_near(s.boxes, random, near);
   if (kind % 9 == 4) {  // little more than points: a gap is the centres' distance, and so are its errors
     for (auto& of_axis : s.boxes.extent)
       for (float& x : of_axis) x *= 0x1p-24F;

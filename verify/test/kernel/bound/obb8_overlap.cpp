@@ -7,27 +7,18 @@
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
 
-namespace tetracone::kernel {
-
-inline auto versions() { return TETRACONE_VERSIONS_HERE(overlapping_simd); }
-inline auto mapped_versions() { return TETRACONE_VERSIONS_HERE(overlapping_mapped_simd); }
-
-}  // namespace tetracone::kernel
-
 BOOST_AUTO_TEST_SUITE(test_obb8_overlap)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::integer;
-using scenes::Placing;
-using scenes::Random;
-using scenes::real;
-using scenes::set;
-using scenes::Solid;
-using scenes::vector;
+using namespace tetracone::verify::scenes;
+
+using tetracone::verify::scenes::set;
 
 namespace {
+
+inline auto versions() { return TETRACONE_VERSIONS_HERE(overlapping_simd); }
+inline auto mapped_versions() { return TETRACONE_VERSIONS_HERE(overlapping_mapped_simd); }
 
 void set(Single_box& box, const Solid& s)
 {
@@ -42,11 +33,11 @@ void set(Single_box& box, const Solid& s)
   }
 }
 
-Matrix axes(Random& random) { return scenes::random_axes(random); }
+Matrix axes(Random& random) { return random_axes(random); }
 
 Vector extents(Random& random)
 {
-  Vector e = scenes::random_extents(random);
+  Vector e = random_extents(random);
   if (random() % 5 == 0) e *= 1e-3;
   return e;
 }
@@ -289,17 +280,17 @@ namespace {
 
 Placing placing(Random& random, int kind)
 {
-  Placing p = scenes::random_placing(random);
-  p.b = scenes::composed(scenes::translation(1, 0, 0.125), p.b);
+  Placing p = random_placing(random);
+  p.b = composed(translation(1, 0, 0.125), p.b);
   switch (kind % 6) {
     case 0: break;
-    case 1: p.b = scenes::random_affine(random, 2); break;
-    case 2: p.a = scenes::random_affine(random, 2); break;
-    case 3: scenes::move_far(p, 0x1p35); break;
+    case 1: p.b = random_affine(random, 2); break;
+    case 2: p.a = random_affine(random, 2); break;
+    case 3: move_far(p, 0x1p35); break;
     case 4: p.in_b.unit = std::ldexp(1.0, integer(random, -30, 30)); break;
     default: {  // a rotation times a scale, nearly a similarity
       const double scale = std::ldexp(1.0 + real(random, 0, 1), integer(random, -5, 5));
-      auto b = scenes::scaled(p.b, scale).entries();
+      auto b = scaled(p.b, scale).entries();
       b[0] += 0x1p-26 * scale;
       p.b = Pose(b);
     }

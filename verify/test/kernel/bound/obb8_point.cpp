@@ -5,18 +5,14 @@
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
 
-namespace tetracone::kernel {
-
-inline auto point_versions() { return TETRACONE_VERSIONS_HERE(point_squares_simd); }
-
-}  // namespace tetracone::kernel
-
 BOOST_AUTO_TEST_SUITE(test_obb8_point)
 
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
 namespace {
+
+inline auto point_versions() { return TETRACONE_VERSIONS_HERE(point_squares_simd); }
 
 Vector random_vector(Random& random) { return {real(random, -1, 1), real(random, -1, 1), real(random, -1, 1)}; }
 

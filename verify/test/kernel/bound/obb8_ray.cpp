@@ -6,12 +6,6 @@
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
 
-namespace tetracone::kernel {
-
-inline auto ray_versions() { return TETRACONE_VERSIONS_HERE(ray_lanes_simd); }
-
-}  // namespace tetracone::kernel
-
 BOOST_AUTO_TEST_SUITE(test_obb8_ray)
 
 using namespace tetracone::kernel;
@@ -19,6 +13,8 @@ namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 namespace {
+
+inline auto ray_versions() { return TETRACONE_VERSIONS_HERE(ray_lanes_simd); }
 
 Vector unit_vector(Random& random)
 {

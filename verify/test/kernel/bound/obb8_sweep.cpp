@@ -7,26 +7,15 @@
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
 
-namespace tetracone::kernel {
-
-inline auto find_versions() { return TETRACONE_VERSIONS_HERE(find_near_simd); }
-
-}  // namespace tetracone::kernel
-
 BOOST_AUTO_TEST_SUITE(test_obb8_sweep)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::integer;
-using scenes::Placing;
-using scenes::point;
-using scenes::Random;
-using scenes::real;
-using scenes::set;
-using scenes::vector;
+using namespace tetracone::verify::scenes;
 
 namespace {
+
+inline auto find_versions() { return TETRACONE_VERSIONS_HERE(find_near_simd); }
 
 Point_way::Rows rows(Random& random, double size)
 {
@@ -66,14 +55,14 @@ Sweep_test test(const Scene& s, const Box_map& map, const Box_sweep& sweep, cons
 Scene scene(Random& random, int kind, double away)
 {
   Scene s;
-  s.placing = scenes::random_placing(random);
+  s.placing = random_placing(random);
   s.lane = integer(random, 0, 7);
   s.other = integer(random, 0, 7);
   const double small = kind % 7 < 2 ? 1e-3 : 0.1;
-  scenes::set_single(s.from, s.other, random, small, kind % 2 == 0 ? &s.apex : nullptr);
+  set_single(s.from, s.other, random, small, kind % 2 == 0 ? &s.apex : nullptr);
   const double near = small * s.placing.in_b.unit / s.placing.in_a.unit;
   for (int i = 0; i < 3; ++i) s.boxes.origin[i] = float(real(random, -0.25, 0.25));
-  scenes::set_near(s.boxes, random, near);
+  set_near(s.boxes, random, near);
 
   // The single box's corner that comes first, and the lane's, or any points of both.
   const double inside = 1 - 0x1p-20, length = std::exp2(real(random, -6, 4)) * near,

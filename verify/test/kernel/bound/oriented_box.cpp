@@ -6,15 +6,9 @@
 BOOST_AUTO_TEST_SUITE(test_oriented_box)
 
 using namespace tetracone::kernel;
-using tetracone::verify::scenes::solved;
-using tetracone::verify::scenes::store_lane;
-using tetracone::verify::scenes::triangle_box;
+using namespace tetracone::verify::scenes;
 
 namespace {
-
-using tetracone::verify::scenes::Random;
-double real(Random& random) { return tetracone::verify::scenes::real(random, -1, 1); }
-Vector vector(Random& random) { return Vector(real(random), real(random), real(random)); }
 
 std::vector<Vector> points(Random& random, int count, int kind)
 {
@@ -22,9 +16,9 @@ std::vector<Vector> points(Random& random, int count, int kind)
   const Vector a = vector(random), b = vector(random);
   for (int k = 0; k < count; ++k) {
     if (kind == 0) all.push_back(vector(random));
-    if (kind == 1) all.push_back(real(random) * a + real(random) * b);  // in a plane
-    if (kind == 2) all.push_back(real(random) * a);                     // on a line
-    if (kind == 3) all.push_back(a);                                    // in a point
+    if (kind == 1) all.push_back(real(random, -1, 1) * a + real(random, -1, 1) * b);  // in a plane
+    if (kind == 2) all.push_back(real(random, -1, 1) * a);                            // on a line
+    if (kind == 3) all.push_back(a);                                                  // in a point
     if (kind == 4) all.push_back(1e-9 * vector(random) + a);
   }
   return all;
@@ -41,7 +35,7 @@ BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
     const std::span<const Vector> used =
         triangle ? std::span<const Vector>(all).first(3) : std::span<const Vector>(all);
     const Oriented_box box = triangle ? triangle_box(used.first<3>()) : fitted_box(used, k % 4);
-    const Vector origin(0.25f * float(real(random)), 0.5, -0.125);
+    const Vector origin(0.25f * float(real(random, -1, 1)), 0.5, -0.125);
     const Vector node_origin = origin.in_float();
     Obb8 boxes{};
     store_lane(boxes, 5, box.axes, node_origin, used);
@@ -68,7 +62,7 @@ BOOST_AUTO_TEST_CASE(boxes_of_triangles_of_any_size_have_orthonormal_axes)
   int wrong = 0, tried = 0;
   for (int exponent = -1074; exponent <= 0; ++exponent)
     for (int k = 0; k < 24; ++k) {
-      const double d = std::ldexp(1 + std::abs(real(random)), exponent),
+      const double d = std::ldexp(1 + std::abs(real(random, -1, 1)), exponent),
                    e = k % 3 == 0 ? d : std::ldexp(d, -int(random() % 60));
       std::array<Vector, 3> t = {Vector(d, 0, 0), Vector(-d, 0, 0), Vector(k % 2 == 0 ? 0 : d, 0, e)};
       if (k % 4 >= 2)
@@ -118,7 +112,8 @@ BOOST_AUTO_TEST_CASE(a_lane_holds_its_points_wherever_it_was_told_that_they_are)
   for (int k = 0; k < 1000; ++k) {
     const double size = std::ldexp(1.0, -int(random() % 12));
     std::vector<Vector> all;
-    for (int j = 0; j < 5; ++j) all.push_back(Vector(0.5, 0.25, -0.25) + size * Vector(real(random), 0, real(random)));
+    for (int j = 0; j < 5; ++j)
+      all.push_back(Vector(0.5, 0.25, -0.25) + size * Vector(real(random, -1, 1), 0, real(random, -1, 1)));
     Lane_box box(fitted_axes(all, 2), k % 2 == 0 ? vector(random) : all[0]);
     for (const Vector& p : all) box.add(p);
     Obb8 boxes{};
@@ -248,7 +243,7 @@ BOOST_AUTO_TEST_CASE(a_triangle_lies_in_its_box_where_its_apex_says)
     if (k % 4 == 2) t[2] = 0.5 * (t[0] + t[1]) + 0.01 * (t[2] - t[0]);
     if (k % 4 == 3) {  // with a right angle
       const Vector leg = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
-      t[2] = t[0] + leg * (t[1] - t[0]).norm() * (0.1 + std::abs(real(random)));
+      t[2] = t[0] + leg * (t[1] - t[0]).norm() * (0.1 + std::abs(real(random, -1, 1)));
     }
     const Lane lane(triangle_box(t), t);
     const Apex_code code = lane.code();

@@ -9,16 +9,14 @@ BOOST_AUTO_TEST_SUITE(test_relative_frame)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::Random;
-using scenes::scaled;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
 /// The exact image of a local point.
 rationals::Vector exact(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Vertex& p)
 {
-  return scenes::Placing{a, b, in_a, in_b}.image(rationals::exactly(p));
+  return Placing{a, b, in_a, in_b}.image(rationals::exactly(p));
 }
 
 /// The largest error in units of the bound, at some of the cube's corners; -1 where no bound is known.
@@ -51,11 +49,11 @@ Pose any_pose(Random& random, int kind)
 {
   switch (kind % 6) {
     case 0: return Pose();
-    case 1: return scenes::random_rotation(random);
-    case 2: return scenes::rounded(scenes::random_rotation(random));
-    case 3: return scenes::random_affine(random);
+    case 1: return random_rotation(random);
+    case 2: return rounded(random_rotation(random));
+    case 3: return random_affine(random);
     case 4: {  // far away
-      Pose pose = scenes::rounded(scenes::random_rotation(random));
+      Pose pose = rounded(random_rotation(random));
       auto entries = pose.entries();
       for (int i = 0; i < 3; ++i) entries[4 * i + 3] = std::ldexp(1.0, 40) * (1 + i);
       return Pose(entries);
@@ -80,13 +78,13 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than
   for (int k = 0; k < 3000; ++k) {
     const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
     if (a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO) continue;
-    const Local_scale in_a{scenes::real_vertex(random, 2), 1},
-        in_b{scenes::real_vertex(random, 2), std::ldexp(1.0, int(random() % 81) - 40)};
+    const Local_scale in_a{real_vertex(random, 2), 1},
+        in_b{real_vertex(random, 2), std::ldexp(1.0, int(random() % 81) - 40)};
     const Relative_frame frame(a, in_a, b, in_b);
     const double off = std::ldexp(1.0, -10 - int(random() % 43)), error = frame.error(off);
     if (!(error < HUGE_VAL)) continue;
     ++known;
-    Vertex right = scenes::real_vertex(random, 0.5), p = right;
+    Vertex right = real_vertex(random, 0.5), p = right;
     for (double& x : p) x += random() % 2 == 0 ? off : -off;
     const auto image = frame(p);
     const rationals::Vector of_right = exact(a, in_a, b, in_b, right);
@@ -108,8 +106,8 @@ BOOST_AUTO_TEST_CASE(fractions_that_round_to_denormals_or_to_0_stay_within_the_e
     const auto with_tiny_entries = [&](const Pose& pose) {
       std::array<Rational, 12> m;
       for (int e = 0; e < 12; ++e)
-        m[e] = scenes::integer(random, 0, 2) == 0
-                   ? Rational(scenes::integer(random, 1, 9)) / 7 / rationals::power(scenes::integer(random, 1060, 1300))
+        m[e] = integer(random, 0, 2) == 0
+                   ? Rational(integer(random, 1, 9)) / 7 / rationals::power(integer(random, 1060, 1300))
                    : pose.exact(e);
       return Pose(m);
     };
@@ -117,8 +115,8 @@ BOOST_AUTO_TEST_CASE(fractions_that_round_to_denormals_or_to_0_stay_within_the_e
                b = with_tiny_entries(any_pose(random, k / 6));
     if (a.determinant_sign() == CGAL::ZERO) continue;
     const auto units = [&] {
-      const auto end = [&](int most) { return std::ldexp(1.0, scenes::integer(random, -1, 1) * most); };
-      return Local_scale{scenes::real_vertex(random, end(199)), end(200)};
+      const auto end = [&](int most) { return std::ldexp(1.0, integer(random, -1, 1) * most); };
+      return Local_scale{real_vertex(random, end(199)), end(200)};
     };
     const Local_scale in_a = units(), in_b = units();
     const double share = share_of_bound(a, in_a, b, in_b);
@@ -156,7 +154,7 @@ BOOST_AUTO_TEST_CASE(rotations_are_similarities_and_shears_are_not)
 {
   Random random(5);
   for (int k = 0; k < 200; ++k) {
-    const Pose a = scenes::random_rotation(random), b = scenes::rounded(scenes::random_rotation(random));
+    const Pose a = random_rotation(random), b = rounded(random_rotation(random));
     BOOST_TEST(Relative_frame(a, {}, b, {}).is_similarity());
     BOOST_TEST(Relative_frame(b, {}, a, {}).is_similarity());
   }
@@ -184,17 +182,15 @@ BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances
   int known = 0, unknown = 0;
   double worst = 0;
   for (int k = 0; k < 2400; ++k) {
-    const Pose rational = scenes::random_rotation(random, 5, {Rational(1) / 3, 0, Rational(-2) / 7});
-    Pose a = k % 2 == 0 ? scaled(scenes::rounded(rational),
-                                 std::ldexp(1.0 + scenes::real(random, 0, 1), scenes::integer(random, -40, 40)))
+    const Pose rational = random_rotation(random, 5, {Rational(1) / 3, 0, Rational(-2) / 7});
+    Pose a = k % 2 == 0 ? scaled(rounded(rational), std::ldexp(1.0 + real(random, 0, 1), integer(random, -40, 40)))
                         : rational;
-    Pose b = k % 3 == 0 ? scenes::random_rotation(random, 4)
-                        : scaled(scenes::rounded(scenes::random_rotation(random, 5)),
-                                 std::ldexp(1.0, scenes::integer(random, -60, 60)));
+    Pose b = k % 3 == 0 ? random_rotation(random, 4)
+                        : scaled(rounded(random_rotation(random, 5)), std::ldexp(1.0, integer(random, -60, 60)));
     if (k % 8 >= 4) a = sheared(a);
     if (k % 5 == 0) {  // both far away
       auto far_a = a.entries(), far_b = b.entries();
-      const double distance = std::ldexp(1.0, scenes::integer(random, 10, 90));
+      const double distance = std::ldexp(1.0, integer(random, 10, 90));
       for (int i = 0; i < 3; ++i) {
         far_a[4 * i + 3] = distance + i;
         far_b[4 * i + 3] = distance;
@@ -202,10 +198,8 @@ BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances
       a = Pose(far_a);
       b = Pose(far_b);
     }
-    const Local_scale in_a{scenes::real_vertex(random, k % 7 == 0 ? 1e12 : 1),
-                           std::ldexp(1.0, scenes::integer(random, -90, 90))};
-    const Local_scale in_b{scenes::real_vertex(random, k % 11 == 0 ? 1e12 : 1),
-                           std::ldexp(1.0, scenes::integer(random, -90, 90))};
+    const Local_scale in_a{real_vertex(random, k % 7 == 0 ? 1e12 : 1), std::ldexp(1.0, integer(random, -90, 90))};
+    const Local_scale in_b{real_vertex(random, k % 11 == 0 ? 1e12 : 1), std::ldexp(1.0, integer(random, -90, 90))};
     const double share = share_of_bound(a, in_a, b, in_b);
     if (share < 0) {
       ++unknown;
@@ -226,17 +220,16 @@ BOOST_AUTO_TEST_CASE(bodies_modelled_far_off_and_brought_together_keep_their_bou
   Random random(10);
   double worst = 0, worst_of_small = 0;
   for (int k = 0; k < 1200; ++k) {
-    const int exponent = scenes::integer(random, 0, 60);
-    Pose a = k % 3 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
-    const Pose b =
-        k % 4 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
+    const int exponent = integer(random, 0, 60);
+    Pose a = k % 3 == 0 ? random_rotation(random, 5) : rounded(random_rotation(random, 5));
+    const Pose b = k % 4 == 0 ? random_rotation(random, 5) : rounded(random_rotation(random, 5));
     if (k % 5 == 0) a = sheared(a);
-    const Local_scale in_a{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1},
-        in_b{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1};
+    const Local_scale in_a{real_vertex(random, std::ldexp(1.0, exponent)), 1},
+        in_b{real_vertex(random, std::ldexp(1.0, exponent)), 1};
     std::array<Rational, 12> entries;
     for (int n = 0; n < 12; ++n) entries[n] = b.exact(n);
     for (int i = 0; i < 3; ++i) {
-      Rational t = a.exact(4 * i + 3) + Rational(scenes::real(random, -1, 1));
+      Rational t = a.exact(4 * i + 3) + Rational(real(random, -1, 1));
       for (int j = 0; j < 3; ++j)
         t += a.exact(4 * i + j) * Rational(in_a.origin[j]) - b.exact(4 * i + j) * Rational(in_b.origin[j]);
       entries[4 * i + 3] = k % 2 == 0 ? Rational(nearest_double(t)) : t;
@@ -290,8 +283,8 @@ BOOST_AUTO_TEST_CASE(scale_is_the_length_of_the_first_column_and_offset_the_imag
   Random random(8);
   for (int k = 0; k < 300; ++k) {
     const Pose a = any_pose(random, k % 4), b = any_pose(random, k / 4 % 4);
-    const Local_scale in_a{scenes::real_vertex(random, 1), std::ldexp(1.0, scenes::integer(random, -3, 3))},
-        in_b{scenes::real_vertex(random, 1), 0.5};
+    const Local_scale in_a{real_vertex(random, 1), std::ldexp(1.0, integer(random, -3, 3))},
+        in_b{real_vertex(random, 1), 0.5};
     const Relative_frame frame(a, in_a, b, in_b);
     const auto& l = frame.linear();
     BOOST_TEST(frame.scale() == std::sqrt(l[0][0] * l[0][0] + l[1][0] * l[1][0] + l[2][0] * l[2][0]),
@@ -322,8 +315,7 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
   double worst = 0, worst_finer = 0;
   for (int k = 0; k < 3600; ++k) {
     const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
-    const Local_scale in_a{scenes::real_vertex(random, k % 5 == 0 ? 1e9 : 2), 1},
-        in_b{scenes::real_vertex(random, 3), 8};
+    const Local_scale in_a{real_vertex(random, k % 5 == 0 ? 1e9 : 2), 1}, in_b{real_vertex(random, 3), 8};
     const Origin_offset d(a, in_a, b, in_b), finer = Origin_offset::in_double_double(a, in_a, b, in_b);
     double largest = 0;
     for (int i = 0; i < 3; ++i) {
@@ -357,7 +349,7 @@ BOOST_AUTO_TEST_CASE(a_frame_of_known_origins_is_the_frame)
   Random random(10);
   for (int k = 0; k < 360; ++k) {
     const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
-    const Local_scale in_a{scenes::real_vertex(random, 2), 0.5}, in_b{scenes::real_vertex(random, 3), 2};
+    const Local_scale in_a{real_vertex(random, 2), 0.5}, in_b{real_vertex(random, 3), 2};
     const Relative_frame frame(a, in_a, b, in_b), same(a, in_a, b, in_b, -Origin_offset(b, in_b, a, in_a));
     for (int i = 0; i < 3; ++i) {
       BOOST_TEST((frame.linear()[i] == same.linear()[i]));

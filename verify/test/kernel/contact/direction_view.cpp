@@ -6,7 +6,7 @@
 BOOST_AUTO_TEST_SUITE(test_direction_view)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -22,15 +22,15 @@ Rational_point seen(const Direction_view& view, const Pose& pose, const Rational
 
 BOOST_AUTO_TEST_CASE(a_step_along_the_direction_changes_the_height_alone)
 {
-  scenes::Random random(1);
+  Random random(1);
   for (int round = 0; round < 30; ++round) {
     Rational_point d;
     do
-      for (Rational& x : d) x = Rational(scenes::integer(random, -3, 3), 1 + round % 3);
+      for (Rational& x : d) x = Rational(integer(random, -3, 3), 1 + round % 3);
     while (is_zero(d));
     for (Rational& x : d) x.canonicalize();
     const Direction_view view(d);
-    const Pose pose = scenes::random_affine(random);
+    const Pose pose = random_affine(random);
     const Rational_point x = {1, Rational(2, 3), -5}, before = seen(view, pose, x);
     const auto [moved, unmoved] = moved_along(pose, pose, d, Rational(7, 2));
     BOOST_TEST((unmoved == pose));

@@ -8,8 +8,7 @@
 BOOST_AUTO_TEST_SUITE(test_double_double_ball)
 
 using namespace tetracone::kernel;
-using tetracone::verify::scenes::Random;
-using tetracone::verify::scenes::real;
+using namespace tetracone::verify::scenes;
 
 namespace {
 

@@ -8,7 +8,7 @@ BOOST_AUTO_TEST_SUITE(test_volume)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -22,15 +22,15 @@ Rational exact_determinant(const Vertex& o, const Vertex& a, const Vertex& b, co
 
 BOOST_AUTO_TEST_CASE(sums_are_exact_at_every_scale_and_mixture_of_scales)
 {
-  scenes::Random random(1);
+  Random random(1);
   Volume_sum sum;
   Rational truth = 0;
   int wrong = 0;
   for (int n = 0; n < 300; ++n) {
     std::array<Vertex, 4> v;
     for (Vertex& p : v) {
-      p = scenes::real_vertex(random, 1);
-      for (double& x : p) x = std::ldexp(x, n < 100 ? 0 : scenes::integer(random, -1074, 1023));
+      p = real_vertex(random, 1);
+      for (double& x : p) x = std::ldexp(x, n < 100 ? 0 : integer(random, -1074, 1023));
     }
     if (n % 7 == 0) v[3] = v[2];
     sum.add(v[0], v[1], v[2], v[3]);

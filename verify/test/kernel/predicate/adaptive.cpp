@@ -11,10 +11,9 @@ BOOST_AUTO_TEST_SUITE(test_adaptive)
 using namespace tetracone::kernel;
 namespace bound = tetracone::kernel::adaptive_bound;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 using CGAL::Sign;
 using rationals::Vector;
-using scenes::Random;
 using Point = Adaptive::Point_3;
 using Decision = Adaptive::Decision;
 using Stage = Adaptive::Stage;
@@ -58,7 +57,7 @@ struct Sample {
 /// A point of the plane of three, as double has it.
 Vertex near_plane(Random& random, const Vertex& a, const Vertex& b, const Vertex& c)
 {
-  const double s = scenes::real(random, -1, 1), t = scenes::real(random, -1, 1);
+  const double s = real(random, -1, 1), t = real(random, -1, 1);
   Vertex d;
   for (int i = 0; i < 3; ++i) d[i] = a[i] + s * (b[i] - a[i]) + t * (c[i] - a[i]);
   return d;
@@ -67,9 +66,8 @@ Vertex near_plane(Random& random, const Vertex& a, const Vertex& b, const Vertex
 /// Four points of one plane: integers of `bits` bits.
 std::array<Vertex, 4> coplanar(Random& random, int bits)
 {
-  const int r = 1 << (bits - 3), s = scenes::integer(random, -1, 2), t = scenes::integer(random, -1, 2);
-  std::array<Vertex, 4> v = {
-      scenes::grid_vertex(random, r), scenes::grid_vertex(random, r), scenes::grid_vertex(random, r), {}};
+  const int r = 1 << (bits - 3), s = integer(random, -1, 2), t = integer(random, -1, 2);
+  std::array<Vertex, 4> v = {grid_vertex(random, r), grid_vertex(random, r), grid_vertex(random, r), {}};
   for (int i = 0; i < 3; ++i) v[3][i] = v[0][i] + s * (v[1][i] - v[0][i]) + t * (v[2][i] - v[0][i]);
   return v;
 }
@@ -79,7 +77,7 @@ std::array<Vertex, 4> full_coplanar(Random& random)
 {
   std::array<Vertex, 4> v;
   for (Vertex& p : v) {
-    for (int i : {0, 1}) p[i] = std::ldexp(std::round(std::ldexp(scenes::real(random, -1, 1), 52)), -52);
+    for (int i : {0, 1}) p[i] = std::ldexp(std::round(std::ldexp(real(random, -1, 1), 52)), -52);
     p[2] = -(p[0] + p[1]);
   }
   return v;
@@ -87,14 +85,13 @@ std::array<Vertex, 4> full_coplanar(Random& random)
 
 std::array<Vertex, 4> any_four(Random& random)
 {
-  return {scenes::real_vertex(random, 1), scenes::real_vertex(random, 1), scenes::real_vertex(random, 1),
-          scenes::real_vertex(random, 1)};
+  return {real_vertex(random, 1), real_vertex(random, 1), real_vertex(random, 1), real_vertex(random, 1)};
 }
 
 Pose moved_rotation(Random& random, double distance)
 {
-  auto entries = scenes::random_rotation(random, 9).entries();
-  for (const int k : {3, 7, 11}) entries[k] = scenes::real(random, -distance, distance);
+  auto entries = random_rotation(random, 9).entries();
+  for (const int k : {3, 7, 11}) entries[k] = real(random, -distance, distance);
   return Pose(entries);
 }
 Pose rotation(Random& random) { return moved_rotation(random, 1); }
@@ -105,13 +102,13 @@ std::array<Vertex, 4> far_exponents(Random& random)
   std::array<Vertex, 4> v = coplanar(random, 6);
   for (Vertex& p : v)
     for (double& x : p)
-      if (scenes::integer(random, 0, 1) == 1) x = std::ldexp(x, scenes::integer(random, -400, 200));
+      if (integer(random, 0, 1) == 1) x = std::ldexp(x, integer(random, -400, 200));
   return v;
 }
 
 Pose fractions(Random& random)
 {
-  return scenes::random_rotation(random, 9, {Rational(scenes::integer(random, -9, 9)) / 7, 1, Rational(0.1)});
+  return random_rotation(random, 9, {Rational(integer(random, -9, 9)) / 7, 1, Rational(0.1)});
 }
 
 /// Positions, each decided by other stages.
@@ -144,7 +141,7 @@ const std::vector<Position>& positions()
       {"largest doubles", 0, 0,
        [](Random& r, Sample& s, P, P) {
          for (std::size_t k = 0; k < 4; ++k) {
-           Vertex v = scenes::grid_vertex(r, 4);
+           Vertex v = grid_vertex(r, 4);
            for (double& x : v) x *= DBL_MAX / 4;
            s.set(k, v);
          }
@@ -152,7 +149,7 @@ const std::vector<Position>& positions()
       {"some of the four placed, in either frame", 0.99, 1,
        [](Random& r, Sample& s, P a, P b) {
          const std::array<const Pose*, 3> frame = {nullptr, &a, &b};
-         for (std::size_t k = 0; k < 4; ++k) s.set(k, scenes::real_vertex(r, 1), frame[scenes::integer(r, 0, 2)]);
+         for (std::size_t k = 0; k < 4; ++k) s.set(k, real_vertex(r, 1), frame[integer(r, 0, 2)]);
        }},
       {"placed, and unmoved on their plane", 0, 0.01,
        [](Random& r, Sample& s, P a, P) {
@@ -344,8 +341,8 @@ BOOST_AUTO_TEST_CASE(fixed_signs_of_poses_of_several_weights_are_those_of_ration
     std::array<int, 3> whole;
     const Rational part = Rational(3) * 0x1p40;
     for (std::size_t k = 0; k < 3; ++k) {
-      whole[k] = scenes::integer(random, -9, 9);
-      shift[k] = whole[k] + (n % 2 == 0 ? Rational(0) : Rational(scenes::integer(random, -1, 1)) / part);
+      whole[k] = integer(random, -9, 9);
+      shift[k] = whole[k] + (n % 2 == 0 ? Rational(0) : Rational(integer(random, -1, 1)) / part);
     }
     std::array<Rational, 12> entries;
     for (int k = 0; k < 12; ++k) entries[k] = a.exact(k);
@@ -366,7 +363,7 @@ BOOST_AUTO_TEST_CASE(fixed_signs_of_poses_of_several_weights_are_those_of_ration
     for (int time = 0; time < 2; ++time) {
       const Fixed_signs signs(s, n % 3);
       const int most = Adaptive::longest_direction;
-      const std::array<int, 3> d = {scenes::integer(random, -most, most), most, scenes::integer(random, -most, most)};
+      const std::array<int, 3> d = {integer(random, -most, most), most, integer(random, -most, most)};
       const auto way = s.from_first(1);
       const Rational along = d[0] * way[0] + d[1] * way[1] + d[2] * way[2];
       wrong += signs.wrong + (Adaptive::fixed_sign_along(s.points[0], s.points[1], d) != CGAL::sign(along));
@@ -386,16 +383,16 @@ BOOST_AUTO_TEST_CASE(weights_of_more_than_a_limb_are_not_taken_for_equal)
   Random random(6);
   for (int n = 0; n < 4000; ++n) {
     const auto fraction = [&] {
-      mpz_class denominator = mpz_class(1) << mp_bitcnt_t(scenes::integer(random, 40, 90));
-      denominator = denominator + 2 * scenes::integer(random, 0, 1000) + 1;
-      if (n % 3 == 0) denominator = denominator << mp_bitcnt_t(scenes::integer(random, 0, 20));
-      return Rational(mpz_class(scenes::integer(random, -1, 1)), denominator);
+      mpz_class denominator = mpz_class(1) << mp_bitcnt_t(integer(random, 40, 90));
+      denominator = denominator + 2 * integer(random, 0, 1000) + 1;
+      if (n % 3 == 0) denominator = denominator << mp_bitcnt_t(integer(random, 0, 20));
+      return Rational(mpz_class(integer(random, -1, 1)), denominator);
     };
     const auto pose = [&] { return Pose(std::array<Rational, 12>{1, 0, 0, fraction(), 0, 1, 0, 0, 0, 0, 1, 0}); };
     const Pose a = pose(), b = pose();
     Sample s;
     for (std::size_t k = 0; k < 4; ++k)
-      s.set(k, {0, double(scenes::integer(random, -2, 2)), double(scenes::integer(random, -2, 2))}, k == 1 ? &b : &a);
+      s.set(k, {0, double(integer(random, -2, 2)), double(integer(random, -2, 2))}, k == 1 ? &b : &a);
     const Fixed_signs signs(s, 0);
     const auto& [p, q, r, t] = s.points;
     wrong += signs.wrong + (Adaptive::volume_sign(p, q, r, t) != s.volume());
@@ -414,21 +411,21 @@ BOOST_AUTO_TEST_CASE(fixed_signs_are_right_up_to_their_most_bits_and_undecided_b
   for (int n = 0; n < 20000; ++n) {
     // About the ends of one limb and of two, and with a map's entries of three and of four.
     const bool is_moved = n % 3 == 2;
-    const int bits = is_moved     ? scenes::integer(random, 20, 140)
-                     : n % 3 == 1 ? scenes::integer(random, 55, 68)
-                                  : scenes::integer(random, 116, 127);
-    const int more = scenes::integer(random, 0, 61);
+    const int bits = is_moved     ? integer(random, 20, 140)
+                     : n % 3 == 1 ? integer(random, 55, 68)
+                                  : integer(random, 116, 127);
+    const int more = integer(random, 0, 61);
     const auto large = [&](int exponent) {
-      return std::ldexp(scenes::integer(random, 0, 1) == 1 ? 1 - 0x1p-53 : -1 + 0x1p-53, exponent);
+      return std::ldexp(integer(random, 0, 1) == 1 ? 1 - 0x1p-53 : -1 + 0x1p-53, exponent);
     };
     std::array<double, 12> entries;
-    for (double& x : entries) x = scenes::integer(random, -1, 1);
+    for (double& x : entries) x = integer(random, -1, 1);
     for (const int k : {0, 5, 10}) entries[k] = large(60 + more);
     const Pose pose(entries);
     Sample s;
     for (std::size_t k = 0; k < 4; ++k) {
       Vertex v;
-      for (double& x : v) x = scenes::integer(random, 0, 4) == 0 ? scenes::integer(random, -2, 2) : large(bits);
+      for (double& x : v) x = integer(random, 0, 4) == 0 ? integer(random, -2, 2) : large(bits);
       s.set(k, v, is_moved ? &pose : nullptr);
     }
     const Fixed_signs signs(s, n % 3);

@@ -9,8 +9,7 @@ BOOST_AUTO_TEST_SUITE(test_frame)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::Random;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -40,12 +39,12 @@ rationals::Vector exact_image(const Pose& pose, const Vertex& v)
 Pose any_doubles(Random& random)
 {
   std::array<double, 12> entries;
-  for (double& e : entries) e = scenes::real(random, -10, 10);
+  for (double& e : entries) e = real(random, -10, 10);
   return Pose(entries);
 }
 Pose fractions(Random& random)
 {
-  return scenes::random_rotation(random, 4, {Rational(scenes::integer(random, -4, 4)) / 7, 1, Rational(0.1)});
+  return random_rotation(random, 4, {Rational(integer(random, -4, 4)) / 7, 1, Rational(0.1)});
 }
 
 }  // namespace
@@ -81,8 +80,8 @@ KERNEL_TEST_CASE(integer_poses_are_exact_in_every_kernel, K, Kernels)
 {
   Random random(1);
   for (int n = 0; n < 500; ++n) {
-    const Pose pose = scenes::random_affine(random, 4);
-    const Vertex v = scenes::grid_vertex(random, 4);
+    const Pose pose = random_affine(random, 4);
+    const Vertex v = grid_vertex(random, 4);
     BOOST_TEST((exactly<K>(Frame<K>(pose)(point<K>(v))) == exact_image(pose, v)));
   }
 }
@@ -93,7 +92,7 @@ KERNEL_TEST_CASE(exact_motion_decides_by_the_exact_image, K, Exact_motions)
   for (int n = 0; n < 600; ++n) {
     const Pose pose = n % 2 == 0 ? any_doubles(random) : fractions(random);
     const Frame<K> frame(pose);
-    const Vertex v = scenes::real_vertex(random, 10);
+    const Vertex v = real_vertex(random, 10);
     const auto image = exact_image(pose, v);
     const auto placed = frame(point<K>(v));
     if constexpr (std::is_same_v<K, Adaptive>) {
@@ -118,7 +117,7 @@ KERNEL_TEST_CASE(rounded_motion_is_the_double_expression, K, Rounded_motions)
   int inexact = 0;
   for (int n = 0; n < 1'000; ++n) {
     const Pose pose = n % 2 == 0 ? any_doubles(random) : fractions(random);
-    const Vertex v = scenes::real_vertex(random, 10);
+    const Vertex v = real_vertex(random, 10);
     const auto placed = Frame<K>(pose)(point<K>(v));
     for (int i = 0; i < 3; ++i) {
       const double expected =
@@ -135,7 +134,7 @@ BOOST_AUTO_TEST_CASE(float_motion_is_the_float_expression)
   Random random(4);
   for (int n = 0; n < 1'000; ++n) {
     const Pose pose = any_doubles(random);
-    const Vertex v = scenes::real_vertex(random, 10);
+    const Vertex v = real_vertex(random, 10);
     const auto placed = Frame<Float>(pose)(point<Float>(v));
     for (int i = 0; i < 3; ++i) {
       const auto m = [&](int k) { return float(pose[4 * i + k]); };

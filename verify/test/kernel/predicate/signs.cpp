@@ -12,7 +12,7 @@ BOOST_AUTO_TEST_SUITE(test_signs)
 
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -29,11 +29,11 @@ KERNEL_TEST_CASE(perturbed_side_is_the_side_of_the_point_really_moved, K, Kernel
 {
   // Small enough: the volume is an integer, the normal's components are integers of at most 72.
   const Rational e = Rational(1) / Rational(1 << 20);
-  scenes::Random random(9);
+  Random random(9);
   int wrong = 0, moved = 0;
   for (int n = 0; n < 5'000; ++n) {
-    const Vertex a = scenes::grid_vertex(random, 2), b = scenes::grid_vertex(random, 2),
-                 c = scenes::grid_vertex(random, 2), p = scenes::grid_vertex(random, 2);
+    const Vertex a = grid_vertex(random, 2), b = grid_vertex(random, 2), c = grid_vertex(random, 2),
+                 p = grid_vertex(random, 2);
     const rationals::Vector really = rationals::plus(between(a, p), {e, Rational(e * e), Rational(e * e * e)});
     const int truth = rationals::sign(rationals::determinant(between(a, b), between(a, c), really));
     const Sign sign = perturbed_side<K>(point<K>(a), point<K>(b), point<K>(c), point<K>(p)),
