@@ -65,14 +65,6 @@ BOOST_AUTO_TEST_CASE(holed_faces_count_for_the_genus)
   BOOST_TEST(c.shells[0].genus.value() == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(a_torus_has_genus_one_and_no_planar_face)
-{
-  const Check c = check(torus(7, 5));
-  BOOST_TEST(c.closed);
-  BOOST_TEST(c.shells.at(0).genus.value() == 1u);
-  BOOST_TEST((c.orientation == Orientation::outward));
-}
-
 BOOST_AUTO_TEST_CASE(shells_have_their_own_volume_and_orientation)
 {
   Polyhedron p;

@@ -48,68 +48,37 @@ BOOST_AUTO_TEST_CASE(known_volumes_are_exact)
   BOOST_TEST((volume(voxels.solid()) == std::count(voxels.full.begin(), voxels.full.end(), true)));
 }
 
-BOOST_AUTO_TEST_CASE(every_real_edge_is_a_side_of_a_triangle_of_each_of_its_faces)
+BOOST_AUTO_TEST_CASE(sides_of_triangles_are_marked_that_are_edges_of_their_face_and_spanning_corners_are_off_one_line)
 {
   for (const auto& [name, body] : closed_bodies()) {
     BOOST_TEST_INFO_SCOPE(name);
     const Covering covering(body);
     std::set<std::array<Index, 2>> all;
-    int missing = 0;
-    for (Index f = 0; f < body.face_count(); ++f)
-      for (std::size_t l = 0; l < body.loop_count(f); ++l) {
-        const Loop loop = body.loop(f, l);
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-          const Index a = loop[k], b = loop[(k + 1) % loop.size()];
-          const std::array<Index, 2> edge = {std::min(a, b), std::max(a, b)};
-          all.insert(edge);
-          bool found = false;
-          for (const Covering_triangle& t : covering.triangles())
-            for (int i = 0; i < 3 && t.face == f; ++i)
-              found = found || (t.edge[i] != none && covering.edges()[t.edge[i]] == edge);
-          missing += !found;
-        }
-      }
-    BOOST_TEST(missing == 0);
-    BOOST_TEST(std::equal(all.begin(), all.end(), covering.edges().begin(), covering.edges().end()));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_side_that_is_marked_joins_the_corners_of_its_edge_and_an_unmarked_one_is_no_edge_of_the_face)
-{
-  for (const auto& [name, body] : closed_bodies()) {
-    BOOST_TEST_INFO_SCOPE(name);
-    const Covering covering(body);
     int wrong = 0;
-    for (const Covering_triangle& t : covering.triangles())
-      for (int i = 0; i < 3; ++i) {
-        const Index a = t.corner[i], b = t.corner[(i + 1) % 3];
-        const std::array<Index, 2> side = {std::min(a, b), std::max(a, b)};
-        const auto from = covering.from(t.face), to = covering.to(t.face);
-        bool real = false;
-        for (std::size_t k = 0; k < from.size(); ++k)
-          real = real || (from[k] == a && to[k] == b) || (from[k] == b && to[k] == a);
-        wrong += real != (t.edge[i] != none);
-        wrong += t.edge[i] != none && covering.edges()[t.edge[i]] != side;
-        wrong += t.corner[0] != from[0];
-      }
-    BOOST_TEST(wrong == 0);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(spanning_corners_are_off_one_line_and_missing_only_where_all_corners_are_on_one)
-{
-  for (const auto& [name, body] : closed_bodies()) {
-    BOOST_TEST_INFO_SCOPE(name);
-    const Covering covering(body);
     for (Index f = 0; f < body.face_count(); ++f) {
+      std::set<std::array<Index, 2>> of_face, marked;
+      for_each_directed_edge(body, f, [&](Index a, Index b) { of_face.insert({std::min(a, b), std::max(a, b)}); });
+      all.insert(of_face.begin(), of_face.end());
+      for (const Covering_triangle& t : covering.triangles())
+        for (int i = 0; i < 3 && t.face == f; ++i) {
+          const Index a = t.corner[i], b = t.corner[(i + 1) % 3];
+          const std::array<Index, 2> side = {std::min(a, b), std::max(a, b)};
+          wrong += of_face.contains(side) != (t.edge[i] != none);
+          wrong += t.edge[i] != none && covering.edges()[t.edge[i]] != side;
+          wrong += t.corner[0] != covering.from(f)[0];
+          if (t.edge[i] != none) marked.insert(side);
+        }
+      BOOST_TEST((marked == of_face));
+
       const auto& spanning = covering.plane_basis(f);
       BOOST_TEST(spanning.has_value() == !rationals::is_zero(rationals::normal(body, f)));
       if (!spanning) continue;
       const Vector a = vertex(body, (*spanning)[0]), b = vertex(body, (*spanning)[1]), c = vertex(body, (*spanning)[2]);
       BOOST_TEST(!rationals::is_zero(rationals::outer(rationals::minus(b, a), rationals::minus(c, a))));
-      for (const Index v : *spanning)
-        BOOST_TEST((std::find(covering.from(f).begin(), covering.from(f).end(), v) != covering.from(f).end()));
+      for (const Index v : *spanning) BOOST_TEST(std::ranges::count(covering.from(f), v) > 0);
     }
+    BOOST_TEST(wrong == 0);
+    BOOST_TEST(std::ranges::equal(all, covering.edges()));
   }
 }
 

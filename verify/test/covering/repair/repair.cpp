@@ -67,18 +67,6 @@ BOOST_AUTO_TEST_CASE(only_the_faces_off_plane_are_replaced_and_the_solid_stays_c
   BOOST_TEST(c.shells.at(0).genus.value() == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(every_quad_of_a_torus_becomes_two_triangles)
-{
-  const Polyhedron p = torus(9, 7);
-  const Triangulated t = triangulate_non_planar(p);
-  BOOST_TEST(t.polyhedron.face_count() == p.face_count() + t.replaced.size());
-  BOOST_TEST(t.fanned.empty());
-  const Check c = check(t.polyhedron);
-  BOOST_TEST(c.closed);
-  BOOST_TEST(c.off_plane.empty());
-  BOOST_TEST(c.shells.at(0).genus.value() == 1u);
-}
-
 BOOST_AUTO_TEST_CASE(triangles_keep_the_direction_of_the_loop_in_every_projection)
 {
   for (int axis = 0; axis < 3; ++axis)

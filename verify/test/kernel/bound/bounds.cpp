@@ -51,22 +51,6 @@ BOOST_AUTO_TEST_CASE(beyond_the_gate_the_error_is_infinite)
   BOOST_TEST(!std::isfinite(Frame(shifted, undefined).error()));
 }
 
-BOOST_AUTO_TEST_CASE(pulled_back_is_turned_into_its_argument_up_to_a_factor)
-{
-  Random random(3);
-  for (int n = 0; n < 100; ++n) {
-    const Pose pose = random_affine(random);
-    const Vertex v = grid_vertex(random, 5);
-    const auto pulled = Frame(pose, 1).pulled_back(v);
-    // Small integers: exact. M w = det(M) v.
-    const auto turned = [&](const Vector& x) {
-      return rationals::minus(rationals::image(pose, x), rationals::image(pose, {0, 0, 0}));
-    };
-    const Rational determinant = rationals::determinant(turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1}));
-    BOOST_TEST((turned(rationals::exactly(pulled)) == rationals::times(determinant, rationals::exactly(v))));
-  }
-}
-
 // --- balls ---------------------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(an_enclosing_ball_holds_all_points_and_is_no_larger_than_it_must)

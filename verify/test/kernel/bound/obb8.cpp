@@ -109,7 +109,6 @@ BOOST_AUTO_TEST_CASE(
       }
     }
   }
-  BOOST_TEST_MESSAGE("largest excess / slack: " << worst);
   BOOST_TEST(worst <= 0.25);
   BOOST_TEST(worst > -1);
   BOOST_TEST(similar > 200);

@@ -208,7 +208,6 @@ BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_aft
       wrong_on_course += is_less(exact_n, p_then, s.after.image(q_after), left.gap - steps * of_lane.rate);
     }
   }
-  BOOST_TEST_MESSAGE("gaps " << gaps << ", left after a step " << kept << ", tightest by " << tightest);
   BOOST_TEST(wrong == 0);
   BOOST_TEST(wrong_near == 0);
   BOOST_TEST(wrong_after == 0);

@@ -200,8 +200,6 @@ BOOST_AUTO_TEST_CASE(what_the_ray_meets_is_never_missed)
   // Rays beyond the slack are seldom accepted.
   BOOST_TEST(beside > 1000);
   BOOST_TEST(found_beside < beside / 50);
-  BOOST_TEST_MESSAGE(met << " met, " << touched << " touched, " << missed << " just missed, " << found_beside << " of "
-                         << beside << " beside found, " << gone << " gone");
 }
 
 BOOST_AUTO_TEST_CASE(a_ray_that_is_dropped_does_not_come_near_the_body)

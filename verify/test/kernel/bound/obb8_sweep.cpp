@@ -144,7 +144,6 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_at_a_time_are_near_at_it)
         }
       }
     }
-  BOOST_TEST_MESSAGE("apart " << found << " of " << asked << ", narrow " << narrow);
   BOOST_TEST(found > 0.3 * asked);
   BOOST_TEST(narrow > 0.1 * asked);
 }

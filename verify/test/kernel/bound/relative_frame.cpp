@@ -91,7 +91,6 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than
     for (int i = 0; i < 3; ++i)
       worst = maximum(worst, std::abs(nearest_double(Rational(Rational(image[i]) - of_right[i]))) / error);
   }
-  BOOST_TEST_MESSAGE("largest error / bound: " << worst << " over " << known);
   BOOST_TEST(known > 2000);
   BOOST_TEST(worst <= 1);
   BOOST_TEST(worst > 0.9);
@@ -240,7 +239,6 @@ BOOST_AUTO_TEST_CASE(bodies_modelled_far_off_and_brought_together_keep_their_bou
     worst = maximum(worst, share);
     if (exponent >= 10 && exponent < 20 && k % 5 != 0) worst_of_small = maximum(worst_of_small, share);
   }
-  BOOST_TEST_MESSAGE("largest error / bound: " << worst << ", where doubles suffice " << worst_of_small);
   BOOST_TEST(worst <= 1);
   BOOST_TEST(worst_of_small > 0.01);
 }
@@ -339,7 +337,6 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
     BOOST_TEST(d.largest() == largest);
     BOOST_TEST((-d).error() == d.error());
   }
-  BOOST_TEST_MESSAGE("largest error / bound: " << worst << ", in double-double " << worst_finer);
   BOOST_TEST(worst > 0.01);
   BOOST_TEST(worst_finer > 0.01);
 }

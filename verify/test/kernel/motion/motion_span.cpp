@@ -124,7 +124,6 @@ BOOST_AUTO_TEST_CASE(what_may_not_meet_in_a_span_is_apart_at_its_times)
     check(of_boxes, of_a, of_b);
     check(of_points, {of_a[0], of_a[3], of_a[5]}, {of_b[1], of_b[6]});
   }
-  BOOST_TEST_MESSAGE("apart " << found << ", part of the time " << of_parts);
   BOOST_TEST(found > 120);
   BOOST_TEST(of_parts > 60);
   BOOST_TEST(of_halves > 80);

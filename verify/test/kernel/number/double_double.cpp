@@ -56,7 +56,6 @@ BOOST_AUTO_TEST_CASE(errors_are_within_the_published_bounds)
     of_sum = maximum(of_sum, error(a - b, exact(a) - exact(b)));
     of_product = maximum(of_product, error(a * b, exact(a) * exact(b)));
   }
-  BOOST_TEST_MESSAGE("in units of u^2: sum " << of_sum << ", product " << of_product);
   BOOST_TEST(of_sum <= 3.01);
   BOOST_TEST(of_product <= 7);
   BOOST_TEST(of_sum > 1);  // the test would see a bound that is too small

@@ -14,8 +14,8 @@ namespace {
 
 Rational exact_determinant(const Vertex& o, const Vertex& a, const Vertex& b, const Vertex& c)
 {
-  using namespace rationals;
-  return determinant(minus(exactly(a), exactly(o)), minus(exactly(b), exactly(o)), minus(exactly(c), exactly(o)));
+  using rationals::exactly;
+  return rationals::six_volume(exactly(o), exactly(a), exactly(b), exactly(c));
 }
 
 }  // namespace

@@ -37,10 +37,7 @@ struct Sample {
   }
 
   Vector from_first(std::size_t k) const { return rationals::minus(exact[k], exact[0]); }
-  Sign volume() const
-  {
-    return CGAL::sign(rationals::sign(rationals::determinant(from_first(1), from_first(2), from_first(3))));
-  }
+  Sign volume() const { return CGAL::sign(rationals::six_volume(exact[0], exact[1], exact[2], exact[3])); }
   Sign normal(int axis) const { return CGAL::sign(rationals::outer(from_first(1), from_first(2))[std::size_t(axis)]); }
   Sign difference(int axis) const { return CGAL::sign(Rational(-from_first(1)[std::size_t(axis)])); }
 

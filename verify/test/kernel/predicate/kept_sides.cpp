@@ -36,9 +36,7 @@ class Two_bodies {
   Sign side(std::size_t body, const std::array<std::size_t, 3>& t, std::size_t v) const
   {
     const auto& p = exact_[body];
-    return CGAL::sign(
-        rationals::sign(rationals::determinant(rationals::minus(p[t[1]], p[t[0]]), rationals::minus(p[t[2]], p[t[0]]),
-                                               rationals::minus(exact_[1 - body][v], p[t[0]]))));
+    return CGAL::sign(rationals::six_volume(p[t[0]], p[t[1]], p[t[2]], exact_[1 - body][v]));
   }
 
  private:
