@@ -85,12 +85,6 @@ BOOST_AUTO_TEST_CASE(shells_have_their_own_volume_and_orientation)
   BOOST_TEST((c.orientation == Orientation::inward));
 }
 
-BOOST_AUTO_TEST_CASE(the_volume_is_exact_where_doubles_are_not)
-{
-  const Rational side(0.1);
-  BOOST_TEST((check(box({0, 0, 0}, {0.1, 0.1, 0.1})).volume.value() == side * side * side));
-}
-
 BOOST_AUTO_TEST_CASE(an_open_surface_names_its_open_edges)
 {
   const Check c = check(without(unit_cube(), [](Index f) { return f == 4; }));

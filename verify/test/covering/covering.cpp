@@ -1,5 +1,6 @@
 #include "tetracone/covering/covering.h"
 
+#include "tetracone/covering/edge_uses.h"
 #include "verify/test/support/at_once.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"

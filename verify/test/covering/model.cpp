@@ -96,33 +96,4 @@ KERNEL_TEST_CASE(signs_of_placed_points_are_those_of_their_pose, K, Exact_motion
   }
 }
 
-KERNEL_TEST_CASE(a_placed_face_shows_the_loops_of_its_face_at_the_pose, K, Exact_motions)
-{
-  Random random(2);
-  for (const auto& [name, body] : closed_bodies()) {
-    BOOST_TEST_INFO_SCOPE(name);
-    const Model<K> model(body);
-    Placed_model<K> placed(model);
-    const Pose pose = random_affine(random);
-    placed.place(pose);
-    const auto at = [&, &vertices = body.vertices](Index v) {
-      return rationals::image(pose, rationals::exactly(vertices[v]));
-    };
-    for (Index f = 0; f < body.face_count(); ++f) {
-      const Placed_face<K> face(placed, f);
-      std::size_t n = 0;
-      int wrong = 0;
-      for (std::size_t l = 0; l < body.loop_count(f); ++l) {
-        const Loop loop = body.loop(f, l);
-        for (std::size_t k = 0; k < loop.size(); ++k, ++n)
-          wrong += exactly<K>(face.from(n)) != at(loop[k]) || exactly<K>(face.to(n)) != at(loop[(k + 1) % loop.size()]);
-      }
-      BOOST_TEST(wrong == 0);
-      BOOST_TEST(face.edge_count() == n);
-      BOOST_TEST((exactly<K>(face.origin()) == at(body.loop(f, 0)[0])));
-      BOOST_TEST(face.is_degenerate() == rationals::is_zero(rationals::normal(body, f)));
-    }
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -116,6 +116,7 @@ struct Placing {
   kernel::Local_scale in_a, in_b;
 
   kernel::Box_map map() const { return {a, in_a, b, in_b}; }
+  kernel::Relative_frame frame() const { return {a, in_a, b, in_b}; }
 
   /// The exact image, in A's local units, of a point in B's local units.
   rationals::Vector image(const rationals::Vector& p) const
@@ -154,6 +155,12 @@ inline void move_far(Placing& p, double distance)
     for (int i = 0; i < 3; ++i) entries[4 * i + 3] += distance * (i + 1);
     *pose = Pose(entries);
   }
+}
+
+/// Returns the map that scales each axis.
+inline Pose diagonal(double x, double y, double z)
+{
+  return Pose(std::array<double, 12>{x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0});
 }
 
 /// Returns two bodies in random rotations, with local units of different sizes.

@@ -48,11 +48,6 @@ BOOST_AUTO_TEST_CASE(a_decimal_stands_for_its_nearest_double_also_beside_a_fract
   BOOST_TEST((poses[0].exact(0) == Rational(1) / 3));
 }
 
-BOOST_AUTO_TEST_CASE(fractions_that_are_doubles_make_a_pose_of_doubles)
-{
-  BOOST_TEST(!poses_of("2/2 0 0 1/4  0 1 0 0  0 0 1 0\n")[0].is_rational());
-}
-
 BOOST_AUTO_TEST_CASE(a_matrix_of_four_rows_stands_on_one_line_or_on_four)
 {
   const std::string rows = "0 -1 0 1/3\n1 0 0 2  # y\n\n0,0,1,0.5\n0 0 0 1\n";

@@ -176,16 +176,6 @@ BOOST_AUTO_TEST_CASE(orientation_restores_any_turned_faces_and_cgal_agrees_with_
   }
 }
 
-BOOST_AUTO_TEST_CASE(holed_faces_are_oriented_too)
-{
-  const Polyhedron p = square_frame();
-  for (unsigned long pattern = 1; pattern + 1 < 1024; ++pattern) {
-    const Oriented oriented = orient(turn_some(p, pattern));
-    BOOST_TEST(is_closed(oriented.polyhedron));
-    BOOST_TEST((volume(oriented.polyhedron) == 8));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(what_is_closed_is_left_alone_inward_too)
 {
   const Polyhedron p = turn_some(torus(6, 5), ~0ul);

@@ -47,8 +47,7 @@ void set_lane(Obb8& boxes, int lane, Random& random)
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(
-    a_mapped_box_holds_the_exact_images_of_its_points_but_for_the_slack_and_a_map_has_the_numbers_of_its_frame)
+BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_the_slack)
 {
   // Held: no farther out than the box along any of many directions. The slack is meant for the two boxes of a
   // comparison and 15 axes, so one box alone never needs a quarter of it.

@@ -15,7 +15,6 @@ namespace {
 
 using Kernels = std::tuple<Float, Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
 using Wide_kernels = std::tuple<Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
-using Exact_motions = std::tuple<Epeck, Rational_kernel, Adaptive>;
 using Rounded_motions = std::tuple<Float, Double, Tolerant, Epick>;
 
 template <class K>
@@ -74,41 +73,6 @@ KERNEL_TEST_CASE(the_identity_returns_every_point_unchanged, K, Kernels)
   BOOST_TEST((exactly<K>(image) == exactly<K>(p)));
   BOOST_TEST(coincide<K>(image, p));
   BOOST_TEST(!Frame<K>(Pose(std::array<double, 12>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1})).is_identity());
-}
-
-KERNEL_TEST_CASE(integer_poses_are_exact_in_every_kernel, K, Kernels)
-{
-  Random random(1);
-  for (int n = 0; n < 500; ++n) {
-    const Pose pose = random_affine(random, 4);
-    const Vertex v = grid_vertex(random, 4);
-    BOOST_TEST((exactly<K>(Frame<K>(pose)(point<K>(v))) == exact_image(pose, v)));
-  }
-}
-
-KERNEL_TEST_CASE(exact_motion_decides_by_the_exact_image, K, Exact_motions)
-{
-  Random random(2);
-  for (int n = 0; n < 600; ++n) {
-    const Pose pose = n % 2 == 0 ? any_doubles(random) : fractions(random);
-    const Frame<K> frame(pose);
-    const Vertex v = real_vertex(random, 10);
-    const auto image = exact_image(pose, v);
-    const auto placed = frame(point<K>(v));
-    if constexpr (std::is_same_v<K, Adaptive>) {
-      for (int i = 0; i < 3; ++i)
-        BOOST_TEST((abs(Rational(Rational(placed.image[i]) - image[i])) <= Rational(placed.error)));
-    } else {
-      BOOST_TEST((exactly<K>(placed) == image));
-    }
-    // An unmoved point one coordinate of which is the nearest double: the difference is the rounding, or nothing.
-    for (int axis = 0; axis < 3; ++axis) {
-      Vertex near{};
-      near[axis] = nearest_double(image[axis]);
-      BOOST_TEST(difference_sign<K>(placed, point<K>(near), axis) ==
-                 CGAL::sign(Rational(image[axis] - Rational(near[axis]))));
-    }
-  }
 }
 
 KERNEL_TEST_CASE(rounded_motion_is_the_expression_in_its_own_numbers, K, Rounded_motions)
