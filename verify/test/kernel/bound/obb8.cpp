@@ -1,9 +1,6 @@
 #include "tetracone/kernel/bound/obb8.h"
 
-#include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_obb8)

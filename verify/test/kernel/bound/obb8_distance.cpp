@@ -1,6 +1,5 @@
 #include "tetracone/kernel/bound/obb8_distance.h"
 
-#include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"

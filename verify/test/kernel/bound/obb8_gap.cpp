@@ -1,10 +1,7 @@
 #include "tetracone/kernel/bound/obb8_gap.h"
 
-#include "tetracone/kernel/bound/oriented_box.h"
 #include "tetracone/kernel/bound/relative_motion.h"
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
 

@@ -1,8 +1,6 @@
 #include "tetracone/kernel/bound/relative_frame.h"
 
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_relative_frame)

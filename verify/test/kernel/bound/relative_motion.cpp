@@ -1,8 +1,6 @@
 #include "tetracone/kernel/bound/relative_motion.h"
 
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
 
