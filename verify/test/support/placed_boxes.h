@@ -97,6 +97,12 @@ inline void store_lane(kernel::Obb8& boxes, int lane, const kernel::Matrix& axes
   stored.store(boxes, lane, node_origin, 0);
 }
 
+/// Returns an edge of a box, of length about 1.
+inline std::array<double, 3> axis(const kernel::Obb8& boxes, int lane, int i)
+{
+  return {boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]};
+}
+
 /// Returns the exact point of a box with these fractions of the extents as coordinates.
 inline rationals::Vector point(const kernel::Obb8& boxes, int lane, const std::array<double, 3>& share)
 {

@@ -17,16 +17,19 @@ inline auto certifying() { return TETRACONE_VERSIONS_HERE(certified_gaps_simd); 
 inline auto carrying() { return TETRACONE_VERSIONS_HERE(carry_now_simd); }
 inline auto least_after() { return TETRACONE_VERSIONS_HERE(least_gap_after_simd); }
 
+/// An edge of a box along n, after it is turned.
+template <class Direction>
+double along(const Obb8& boxes, int lane, int i, const Vector& n, const Direction& direction)
+{
+  return n.dot(vector_of(direction(axis(boxes, lane, i))));
+}
+
 /// The shares of the corner of a box that reaches least along n, its axes turned by `direction`.
 template <class Direction>
 std::array<double, 3> lowest(const Obb8& boxes, int lane, const Vector& n, const Direction& direction)
 {
   std::array<double, 3> share;
-  for (int i = 0; i < 3; ++i) {
-    const std::array<double, 3> axis =
-        direction(std::array<double, 3>{boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]});
-    share[i] = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2] > 0 ? -1 : 1;
-  }
+  for (int i = 0; i < 3; ++i) share[i] = along(boxes, lane, i, n, direction) > 0 ? -1 : 1;
   return share;
 }
 
@@ -35,19 +38,12 @@ template <class Direction>
 std::array<double, 3> lowest_point(const Obb8& boxes, int lane, float apex, const Vector& n, const Direction& direction)
 {
   if (apex == no_apex) return lowest(boxes, lane, n, direction);
-  const auto along = [&](const std::array<double, 3>& share) {
+  const std::array<std::array<double, 3>, 3> corners = {{{0, -1, -1}, {0, 1, -1}, {0, apex, 1}}};
+  return *std::ranges::min_element(corners, {}, [&](const std::array<double, 3>& share) {
     double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-      const auto axis =
-          direction(std::array<double, 3>{boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]});
-      sum += share[i] * boxes.extent[i][lane] * (n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]);
-    }
+    for (int i = 0; i < 3; ++i) sum += share[i] * boxes.extent[i][lane] * along(boxes, lane, i, n, direction);
     return sum;
-  };
-  std::array<double, 3> best = {0, -1, -1};
-  for (const std::array<double, 3>& corner : {std::array<double, 3>{0, 1, -1}, {0, apex, 1}})
-    if (along(corner) < along(best)) best = corner;
-  return best;
+  });
 }
 
 /// Directions after a map turns them, and after `steps` further steps of a course.
@@ -250,13 +246,12 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_has_no_gap)
         Course undefined;
         undefined.column[1][2] = undefined.size = bad;
         BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, placement, undefined)).gap > 0));
-        Placement error = placement;
-        error.error = double(bad);
-        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, error, {})).gap > 0));
-        error = placement;
-        error.scale = double(bad);
-        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, error, {})).gap > 0));
-        carry(Carrier(map, error, {}), s.from, s.lane, carried_wrong);
+        for (double Placement::*const number : {&Placement::error, &Placement::scale}) {
+          Placement wrong = placement;
+          wrong.*number = double(bad);
+          BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, wrong, {})).gap > 0));
+          carry(Carrier(map, wrong, {}), s.from, s.lane, carried_wrong);
+        }
         BOOST_TEST(!(after(found, apart, carried_wrong, going, Carrier(map, placement, {})).gap > 0));
       }
     }

@@ -165,11 +165,10 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_a_triangle_are_never_told_apart_from_it)
         Solid p{Vector(), axes(random), extents(random)};
         p.round();
         // Beyond a plane through that side, if it is one.
-        const Vector beyond = lane % 3 == 0   ? Vector(-2 * t.solid.extent[2] * t.solid.edges.col(1) +
-                                                       t.solid.extent[1] * (1 + t.apex) * t.solid.edges.col(2))
-                              : lane % 3 == 1 ? Vector(2 * t.solid.extent[2] * t.solid.edges.col(1) +
-                                                       t.solid.extent[1] * (1 - t.apex) * t.solid.edges.col(2))
-                                              : vector(random);
+        const double side = lane % 3 == 0 ? -1 : 1;
+        const Vector beyond = lane % 3 == 2 ? vector(random)
+                                            : 2 * side * t.solid.extent[2] * t.solid.edges.col(1) +
+                                                  t.solid.extent[1] * (1 - side * t.apex) * t.solid.edges.col(2);
         p.centre = touched - p.corner(-beyond);
         p.round();
         set(boxes, lane, p);
@@ -226,8 +225,7 @@ BOOST_AUTO_TEST_CASE(lanes_are_compared_one_by_one)
       Obb8 boxes{};
       for (int lane = 0; lane < int(lanes); ++lane)
         set(boxes, lane,
-            {expected >> lane & 1 ? Vector(0, 0, 0) : Vector(vector(random).normalized() * 20), axes(random),
-             extents(random)});
+            {expected >> lane & 1 ? Vector() : vector(random).normalized() * 20, axes(random), extents(random)});
       Single_box box{};
       set(box, {vector(random, 0.001), axes(random), Vector(1, 1, 1)});
       box.slack = obb8_slack(60, 0);
@@ -247,28 +245,18 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_or_undefined_is_not_told_apart)
       set(box, {Vector(100, 0, 0), axes(random), extents(random)});
       box.slack = obb8_slack(1, 0);
       BOOST_TEST(overlap(boxes, box, similarity) == 0u);
-      box.slack = infinity;
-      BOOST_TEST(overlap(boxes, box, similarity) == 0xffu);
-      box.slack = nan;
-      BOOST_TEST(overlap(boxes, box, similarity) == 0xffu);
-      box.slack = obb8_slack(1, 0);
-      for (const float what : {infinity, nan, -infinity}) {
-        Single_box undefined = box;
-        for (int i = 0; i < 3; ++i) undefined.centre[i] = what;
-        undefined.slack = infinity;
-        BOOST_TEST(overlap(boxes, undefined, similarity) == 0xffu);
+      std::vector<Single_box> undefined(similarity ? 6 : 7, box);
+      undefined[0].slack = infinity;
+      undefined[1].slack = nan;
+      for (int k = 0; k < 3; ++k) {
+        for (int i = 0; i < 3; ++i) undefined[2 + k].centre[i] = std::array{infinity, nan, -infinity}[k];
+        undefined[2 + k].slack = infinity;
       }
-      Single_box undefined = box;
-      undefined.centre[0] = nan;
-      BOOST_TEST(overlap(boxes, undefined, similarity) == 0xffu);
-      undefined = box;
-      if (similarity) continue;
+      undefined[5].centre[0] = nan;
       // As of an edge that vanishes, which an affine map may have.
-      for (int i = 0; i < 3; ++i) {
-        undefined.edge[1][i] = nan;
-        undefined.normal[0][i] = undefined.normal[2][i] = nan;
-      }
-      BOOST_TEST(overlap(boxes, undefined, similarity) == 0xffu);
+      for (int i = 0; i < 3 && !similarity; ++i)
+        undefined[6].edge[1][i] = undefined[6].normal[0][i] = undefined[6].normal[2][i] = nan;
+      for (const Single_box& one : undefined) BOOST_TEST(overlap(boxes, one, similarity) == 0xffu);
     }
 }
 
@@ -322,10 +310,9 @@ BOOST_AUTO_TEST_CASE(mapped_boxes_that_touch_are_never_told_apart)
     b.round();
     set(from, lane, b);
     for (int i = 0; i < 3; ++i) from.origin[i] = float(real(random, -0.25, 0.25));
-    const Vector from_origin(from.origin[0], from.origin[1], from.origin[2]);
-    const Vector middle = exact_image(p, b.centre + from_origin);
+    const Vector from_origin = vector_of(from.origin), middle = exact_image(p, b.centre + from_origin);
     for (int i = 0; i < 3; ++i) boxes.origin[i] = float(middle[i] + real(random, -1, 1) * (k % 5 == 0 ? 2 : 0.5));
-    const Vector origin(boxes.origin[0], boxes.origin[1], boxes.origin[2]);
+    const Vector origin = vector_of(boxes.origin);
     for (int other = 0; other < int(lanes); ++other) {
       const Vector direction = vector(random);
       const Vector at = exact_image(p, b.corner(direction) + from_origin), out = (at - middle).normalized();
@@ -360,8 +347,7 @@ BOOST_AUTO_TEST_CASE(mapped_boxes_that_are_clearly_apart_are_told_apart)
       for (int j = 0; j < 3; ++j) size += 0.6 * std::abs(map.column(j)[i]);
     for (int i = 0; i < 3; ++i) boxes.origin[i] = float(middle[i]);
     for (int other = 0; other < int(lanes); ++other) {
-      const Solid a{vector(random).normalized() * (size + 3), axes(random), extents(random)};
-      set(boxes, other, a);
+      set(boxes, other, Solid{vector(random).normalized() * (size + 3), axes(random), extents(random)});
     }
     for (const auto mapped : mapped_versions()) missed += std::popcount(mapped(boxes, map, from, 2));
   }

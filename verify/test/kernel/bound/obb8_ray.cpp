@@ -266,22 +266,12 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_or_too_far_is_not_left_out)
     BOOST_TEST(lanes_of(good, ray, 0.5, nearest.data()) == 0);
     const float undefined = std::numeric_limits<float>::quiet_NaN();
     for (int i = 0; i < 3; ++i) {
-      Obb8 boxes = good;
-      boxes.centre[i][3] = undefined;
-      BOOST_TEST(all_found(boxes, ray, Local_ray::length));
-      boxes = good;
-      boxes.extent[i][3] = undefined;
-      BOOST_TEST(all_found(boxes, ray, Local_ray::length));
-      boxes.extent[i][3] = std::numeric_limits<float>::infinity();
-      BOOST_TEST(all_found(boxes, ray, Local_ray::length));
-      boxes = good;
-      boxes.origin[i] = undefined;
-      BOOST_TEST(all_found(boxes, ray, Local_ray::length));
-      for (int k = 0; k < 3; ++k) {
-        boxes = good;
-        boxes.axis[i][k][3] = undefined;
-        BOOST_TEST(all_found(boxes, ray, Local_ray::length));
-      }
+      std::array<Obb8, 7> wrong;
+      wrong.fill(good);
+      wrong[0].centre[i][3] = wrong[1].extent[i][3] = wrong[2].origin[i] = undefined;
+      wrong[3].extent[i][3] = std::numeric_limits<float>::infinity();
+      for (int k = 0; k < 3; ++k) wrong[std::size_t(4 + k)].axis[i][k][3] = undefined;
+      for (const Obb8& boxes : wrong) BOOST_TEST(all_found(boxes, ray, Local_ray::length));
     }
     // Lanes that hold nothing are not met.
     Obb8 few = good;

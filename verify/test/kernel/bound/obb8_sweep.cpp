@@ -69,9 +69,8 @@ Scene scene(Random& random, int kind, double away)
   const auto share = [&](const Obb8& boxes, int lane, double sense, const Box_map* map) {
     std::array<double, 3> share;
     for (int i = 0; i < 3; ++i) {
-      std::array<double, 3> axis = {boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]};
-      if (map) axis = map->frame().direction(axis);
-      share[i] = sense * (n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]) > 0 ? inside : -inside;
+      const auto edge = axis(boxes, lane, i);
+      share[i] = sense * n.dot(vector_of(map ? map->frame().direction(edge) : edge)) > 0 ? inside : -inside;
     }
     return share;
   };
@@ -219,15 +218,11 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_is_near_all_the
     BOOST_TEST(!is_near(s.placing.map(), s.sweep));
     for (const Box_map& map : {no_similarity.map(), Box_map()}) BOOST_TEST(is_near(map, s.sweep));
     for (const double x : bad) {
-      Box_sweep sweep = s.sweep;
-      sweep.rest = x;
-      BOOST_TEST(is_near(s.placing.map(), sweep));
-      sweep = s.sweep;
-      sweep.half = {{0, x, 0}, {}, {}};
-      BOOST_TEST(is_near(s.placing.map(), sweep));
-      sweep = s.sweep;
-      sweep.middle = {{0, 0, 0}, {{{x, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {}};
-      BOOST_TEST(is_near(s.placing.map(), sweep));
+      std::array<Box_sweep, 3> wrong = {s.sweep, s.sweep, s.sweep};
+      wrong[0].rest = x;
+      wrong[1].half = {{0, x, 0}, {}, {}};
+      wrong[2].middle = {{0, 0, 0}, {{{x, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {}};
+      for (const Box_sweep& sweep : wrong) BOOST_TEST(is_near(s.placing.map(), sweep));
     }
   }
 }

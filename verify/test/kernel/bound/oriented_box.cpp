@@ -24,6 +24,14 @@ std::vector<Vector> points(Random& random, int count, int kind)
   return all;
 }
 
+/// A point along an axis of a box, from its centre.
+double along(const Obb8& boxes, int lane, int i, const Vector& node_origin, const Vector& p)
+{
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += boxes.axis[i][k][lane] * (p[k] - (node_origin[k] + double(boxes.centre[k][lane])));
+  return sum;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
@@ -97,9 +105,7 @@ BOOST_AUTO_TEST_CASE(axes_that_are_not_orthonormal_are_not_stored)
     store_lane(boxes, 2, box.axes, Vector(), all);
     for (const Vector& p : all)
       for (int i = 0; i < 3; ++i) {
-        double along = 0;
-        for (int j = 0; j < 3; ++j) along += (p[j] - boxes.centre[j][2]) * boxes.axis[i][j][2];
-        BOOST_TEST(std::abs(along) <= boxes.extent[i][2]);
+        BOOST_TEST(std::abs(along(boxes, 2, i, Vector(), p)) <= boxes.extent[i][2]);
         for (int j = 0; j < 3; ++j) BOOST_TEST(boxes.axis[i][j][2] == (i == j));
       }
   }
@@ -121,11 +127,7 @@ BOOST_AUTO_TEST_CASE(a_lane_holds_its_points_wherever_it_was_told_that_they_are)
     box.store(boxes, 1, origin, 0);
     for (int i = 0; i < 3; ++i) {
       double most = 0;
-      for (const Vector& p : all) {
-        double along = 0;
-        for (int j = 0; j < 3; ++j) along += (p[j] - (origin[j] + double(boxes.centre[j][1]))) * boxes.axis[i][j][1];
-        most = std::max(most, std::abs(along));
-      }
+      for (const Vector& p : all) most = std::max(most, std::abs(along(boxes, 1, i, origin, p)));
       outside += !(most <= boxes.extent[i][1]);
       loose += !(boxes.extent[i][1] <= 1.00001 * most + 1e-5 * size + 1e-10);
     }
@@ -221,11 +223,7 @@ struct Lane {
   /// The corner along axes 1 and 2 of the box, from its centre.
   std::array<double, 2> in_plane(const Vector& p) const
   {
-    std::array<double, 2> at{};
-    for (int i = 0; i < 2; ++i)
-      for (int k = 0; k < 3; ++k)
-        at[i] += boxes.axis[i + 1][k][3] * (p[k] - (node_origin[k] + double(boxes.centre[k][3])));
-    return at;
+    return {along(boxes, 3, 1, node_origin, p), along(boxes, 3, 2, node_origin, p)};
   }
 };
 

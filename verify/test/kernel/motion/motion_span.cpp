@@ -1,6 +1,7 @@
 #include "tetracone/kernel/motion/motion_span.h"
 
 #include "verify/cases/random.h"
+#include "verify/test/support/rationals.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_motion_span)
@@ -40,23 +41,12 @@ Motion_span span_of(const Body_motion& a, const Motion_units& in_a, const Body_m
   return *span;
 }
 
-/// axis . (M x + t), exactly.
-Rational along(const Vertex& axis, const Pose& pose, const std::array<Rational, 3>& x)
+/// A point of local units along an axis at a pose, exactly.
+Rational along(const Vertex& axis, const Pose& pose, const Motion_units& units, const Vertex& local)
 {
-  Rational sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    Rational at = pose.exact(4 * i + 3);
-    for (int j = 0; j < 3; ++j) at += pose.exact(4 * i + j) * x[j];
-    sum += Rational(axis[i]) * at;
-  }
-  return sum;
-}
-
-std::array<Rational, 3> from_local(const Motion_units& units, const Vertex& local)
-{
-  std::array<Rational, 3> x;
-  for (int k = 0; k < 3; ++k) x[k] = Rational(units.origin[k]) + Rational(units.unit) * Rational(local[k]);
-  return x;
+  using namespace tetracone::verify::rationals;
+  const auto x = plus(exactly(units.origin), times(Rational(units.unit), exactly(local)));
+  return inner(exactly(axis), image(pose, x));
 }
 
 std::vector<Vertex> corners(const Moving_box& box)
@@ -111,7 +101,7 @@ BOOST_AUTO_TEST_CASE(what_may_not_meet_in_a_span_is_apart_at_its_times)
         const Pose pose_a = a.at(time), pose_b = b.at(time);
         const auto ends_along = [&](const Pose& pose, const Motion_units& units, const std::vector<Vertex>& points) {
           std::vector<Rational> at;
-          for (const Vertex& p : points) at.push_back(along(axis, pose, from_local(units, p)));
+          for (const Vertex& p : points) at.push_back(along(axis, pose, units, p));
           const auto [least, most] = std::minmax_element(at.begin(), at.end());
           return std::pair<Rational, Rational>(*least, *most);
         };
@@ -211,8 +201,7 @@ BOOST_AUTO_TEST_CASE(halves_are_where_the_bodies_are)
       for (int i = 0; i < 3; ++i) {
         Vertex unit = {0, 0, 0};
         unit[i] = 1;
-        exact[i] = nearest_double(
-            Rational(along(unit, pose_b, from_local(units, q)) - along(unit, pose_a, from_local(units, p))));
+        exact[i] = nearest_double(Rational(along(unit, pose_b, units, q) - along(unit, pose_a, units, p)));
       }
       const double factor = dot(found, exact) / dot(exact, exact);
       BOOST_TEST(factor > 0);
