@@ -67,20 +67,14 @@ BOOST_AUTO_TEST_CASE(holed_faces_count_for_the_genus)
 
 BOOST_AUTO_TEST_CASE(shells_have_their_own_volume_and_orientation)
 {
-  Polyhedron p;
-  append(p, box({0, 0, 0}, {4, 4, 4}));
-  append(p, box({1, 1, 1}, {2, 2, 2}), true);  // a cavity
-  Check c = check(p);
+  Check c = check(with_cavity(box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2})));
   BOOST_TEST(c.closed);
   BOOST_REQUIRE(c.shells.size() == 2u);
   BOOST_TEST((c.shells[0].volume.value() == 64));
   BOOST_TEST((c.shells[1].volume.value() == -1));
   BOOST_TEST((c.volume.value() == 63));
   BOOST_TEST((c.orientation == Orientation::mixed));
-  Polyhedron inward;
-  append(inward, box({0, 0, 0}, {2, 2, 2}), true);
-  append(inward, box({5, 5, 5}, {6, 6, 6}), true);
-  c = check(inward);
+  c = check(turned(both(box({0, 0, 0}, {2, 2, 2}), box({5, 5, 5}, {6, 6, 6}))));
   BOOST_TEST((c.volume.value() == -9));
   BOOST_TEST((c.orientation == Orientation::inward));
 }
@@ -104,11 +98,7 @@ BOOST_AUTO_TEST_CASE(an_open_surface_names_its_open_edges)
 
 BOOST_AUTO_TEST_CASE(a_turned_face_opens_each_of_its_edges_by_two)
 {
-  const Polyhedron p = unit_cube();
-  Polyhedron turned;
-  turned.vertices = p.vertices;
-  for (Index f = 0; f < 6; ++f) append_face(turned, p, f, f == 2);
-  const Check c = check(turned);
+  const Check c = check(turn_some(unit_cube(), 1 << 2));
   BOOST_TEST(!c.closed);
   BOOST_TEST(c.border_edges == 0u);
   BOOST_REQUIRE(c.open_edges.size() == 4u);
@@ -204,9 +194,7 @@ BOOST_AUTO_TEST_CASE(the_deviation_of_a_lifted_corner_is_exact)
   // The unit square with its third corner lifted by h. Here p = 0, q = the lifted corner (the farthest), r = 1. The
   // plane through them is y h - z = 0 in (x, y, z), or x h - z = 0. So the corner left over is h / sqrt(1 + h^2) off.
   for (const double h : {0.25, 0x1p-30, 1.0, 0x1p-600}) {
-    Polyhedron p;
-    p.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}};
-    p.add_polygon({0, 1, 2, 3});
+    const Polyhedron p = one_face({{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}}, {{0, 1, 2, 3}});
     BOOST_TEST((planarity(p, 0) == Planarity::off_plane));
     const Off_plane off = deviation(p, 0);
     BOOST_TEST((off.squared_distance == Rational(h) * Rational(h) / (1 + Rational(h) * Rational(h))));
@@ -217,22 +205,18 @@ BOOST_AUTO_TEST_CASE(the_deviation_of_a_lifted_corner_is_exact)
 
 BOOST_AUTO_TEST_CASE(of_equally_distant_vertices_the_first_is_named)
 {
-  Polyhedron p;
-  p.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 3, 1}, {1, 2, -1}};
-  p.add_polygon({0, 1, 2, 4, 3});
+  const Polyhedron p = one_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 3, 1}, {1, 2, -1}}, {{0, 1, 2, 4, 3}});
   BOOST_TEST(deviation(p, 0).vertex == 4u);
   BOOST_TEST((deviation(p, 0).squared_distance == 1));
 }
 
 BOOST_AUTO_TEST_CASE(planarity_is_the_same_for_every_order_of_corners)
 {
-  std::array<Index, 5> order = {0, 1, 2, 3, 4};
+  std::vector<Index> order = {0, 1, 2, 3, 4};
   for (const double h : {0.0, 0x1p-1074, 1e-17}) {
     do {
-      Polyhedron p;
       // The first three corners are on one line.
-      p.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, h}, {1, 1, 0}};
-      p.add_polygon(order);
+      const Polyhedron p = one_face({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, h}, {1, 1, 0}}, {order});
       BOOST_TEST((planarity(p, 0) == (h == 0 ? Planarity::planar : Planarity::off_plane)));
     } while (std::next_permutation(order.begin(), order.end()));
   }

@@ -8,22 +8,13 @@ BOOST_AUTO_TEST_SUITE(test_star_faces)
 using namespace tetracone::covering;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
-Polyhedron polygon(const std::vector<std::array<double, 2>>& corners, bool turned = false)
+/// A face of these corners, each once.
+Polyhedron polygon(const std::vector<std::array<double, 2>>& corners)
 {
-  Polyhedron p;
-  std::vector<Index> loop;
-  for (const auto& [x, y] : corners) {
-    loop.push_back(Index(loop.size()));
-    p.vertices.push_back({x, y, x + 2 * y});
-  }
-  if (turned) std::reverse(loop.begin(), loop.end());
-  p.add_polygon(loop);
-  return p;
+  std::vector<Index> loop(corners.size());
+  std::iota(loop.begin(), loop.end(), Index(0));
+  return slanted_face(corners, {loop});
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(convex_faces_are_fans)
 {
@@ -32,10 +23,9 @@ BOOST_AUTO_TEST_CASE(convex_faces_are_fans)
   std::set<Index> faces;
   for (const Face_triangle& t : of_cube) faces.insert(t.face);
   BOOST_TEST(faces.size() == 6u);
-  for (const bool turned : {false, true}) {
-    const auto hexagon = star_faces(polygon({{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}}, turned));
-    BOOST_TEST(hexagon.size() == 4u);
-  }
+  const Polyhedron hexagon = polygon({{2, 0}, {1, 2}, {-1, 2}, {-2, 0}, {-1, -2}, {1, -2}});
+  for (const Polyhedron& p : {hexagon, tetracone::verify::scenes::turned(hexagon)})
+    BOOST_TEST(star_faces(p).size() == 4u);
   // Not convex, and yet all corners go round the first.
   BOOST_TEST(star_faces(polygon({{0, 0}, {4, -1}, {1, 0}, {4, 1}})).size() == 2u);
 }

@@ -23,22 +23,6 @@ repair::Boundary boundary(const Polyhedron& polyhedron)
   return result;
 }
 
-Polyhedron one_face(const std::vector<Vertex>& vertices, const std::vector<std::vector<Index>>& loops)
-{
-  Polyhedron p;
-  p.vertices = vertices;
-  p.add_face(loops);
-  return p;
-}
-
-Polyhedron turn_some(const Polyhedron& p, unsigned long turned)
-{
-  Polyhedron result;
-  result.vertices = p.vertices;
-  for (Index f = 0; f < p.face_count(); ++f) append_face(result, p, f, turned >> f % 64 & 1);
-  return result;
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(planar_faces_stay_as_they_are)
