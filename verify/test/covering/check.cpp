@@ -9,8 +9,6 @@ using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 /// The definition, by the letter.
 bool closed_by_brute_force(const Polyhedron& polyhedron)
 {
@@ -25,8 +23,6 @@ bool closed_by_brute_force(const Polyhedron& polyhedron)
     return reverse != uses.end() && reverse->second == entry.second;
   });
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_cube_is_a_cube)
 {

@@ -14,11 +14,7 @@ namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 using rationals::Vector;
 
-namespace {
-
 Vector vertex(const Polyhedron& body, Index v) { return rationals::exactly(body.vertices[v]); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(known_volumes_are_exact)
 {

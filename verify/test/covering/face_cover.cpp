@@ -11,16 +11,12 @@ using namespace tetracone::covering;
 using namespace tetracone::verify::scenes;
 using Triangles = std::vector<Face_cover::Triangle>;
 
-namespace {
-
 std::string flaw(const Polyhedron& p, const Triangles& triangles)
 {
   return Face_cover(p).flaw(0, triangles).value_or("");
 }
 
 const std::vector<std::array<double, 2>> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_covers_a_face_has_no_flaw)
 {

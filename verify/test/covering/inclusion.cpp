@@ -9,11 +9,7 @@ BOOST_AUTO_TEST_SUITE(test_inclusion)
 using namespace tetracone::covering;
 using namespace tetracone::kernel;
 
-namespace {
-
 using Exact_motions = std::tuple<Epeck, Rational_kernel, Adaptive>;
-
-}  // namespace
 
 KERNEL_TEST_CASE(a_tetrahedron_of_the_covering_holds_a_point_with_its_own_sign, K, Exact_motions)
 {

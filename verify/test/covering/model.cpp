@@ -12,8 +12,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 using Exact_motions = std::tuple<Rational_kernel, Adaptive>;
 using Vertex_kernels = std::tuple<Double, Epick, Rational_kernel, Adaptive>;
 
@@ -26,8 +24,6 @@ rationals::Vector exactly(const Point<K>& p)
   else
     return {Rational(p.x()), Rational(p.y()), Rational(p.z())};
 }
-
-}  // namespace
 
 KERNEL_TEST_CASE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattice, K, Vertex_kernels)
 {

@@ -8,11 +8,7 @@ BOOST_AUTO_TEST_SUITE(test_polyhedron)
 using namespace tetracone::covering;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 std::vector<Index> indices(Loop loop) { return {loop.begin(), loop.end()}; }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(append_turned_runs_every_loop_the_other_way_round_and_twice_gives_it_back)
 {

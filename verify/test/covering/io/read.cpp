@@ -14,8 +14,6 @@ using namespace tetracone::covering;
 using namespace tetracone::verify::texts;
 using tetracone::verify::Temporary_file;
 
-namespace {
-
 const std::string note = "a dialect that CGAL's reader does not take: read by the scan alone";
 
 std::vector<Index> loop(const Polyhedron& polyhedron, Index f, std::size_t k = 0)
@@ -94,8 +92,6 @@ std::string binary_ply(bool big)
   }
   return text + bytes(std::uint16_t{2}, big) + bytes(1.5f, big) + bytes(std::numeric_limits<float>::quiet_NaN(), big);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_same_tetrahedron_comes_out_of_every_format)
 {

@@ -9,8 +9,6 @@ using namespace tetracone::covering;
 using tetracone::kernel::Moving_kind;
 using tetracone::verify::Temporary_file;
 
-namespace {
-
 std::string rows(int count, const std::string& row)
 {
   std::string text;
@@ -23,8 +21,6 @@ std::string error_of(const std::string& text)
   return tetracone::verify::error_of(Temporary_file("queries.csv", text),
                                      [](const auto& path) { read_moving_pairs(path, Moving_kind::edge_edge); });
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(queries_are_eight_lines_each)
 {

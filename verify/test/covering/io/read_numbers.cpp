@@ -13,11 +13,7 @@ using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 using tetracone::verify::Temporary_file;
 
-namespace {
-
 std::string error_of(const std::string& text) { return tetracone::verify::error_of(text, read_points); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(numbers_are_separated_by_blanks_or_by_a_comma)
 {

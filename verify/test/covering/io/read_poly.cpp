@@ -12,8 +12,6 @@ using namespace tetracone::verify::texts;
 using tetracone::kernel::Rational;
 using tetracone::verify::Temporary_file;
 
-namespace {
-
 Read_model read_poly(const std::string& text) { return read_text(".poly", text); }
 
 std::string nodes(const Polyhedron& body, int base)
@@ -38,8 +36,6 @@ std::string poly(const Polyhedron& body, int base = 0)
   }
   return text;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(hole_loops_are_turned_against_their_outer_loop_and_facets_across_their_edges)
 {

@@ -9,8 +9,6 @@ using namespace tetracone::kernel;
 using namespace tetracone::covering;
 using tetracone::verify::Temporary_file;
 
-namespace {
-
 const std::string identity = "1 0 0 0  0 1 0 0  0 0 1 0\n";
 
 std::vector<Pose> poses_of(const std::string& text)
@@ -20,8 +18,6 @@ std::vector<Pose> poses_of(const std::string& text)
 }
 
 std::string error_of(const std::string& text) { return tetracone::verify::error_of(text, read_poses); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_sample_file_holds_three_poses)
 {

@@ -12,8 +12,6 @@ using namespace tetracone::verify::texts;
 using tetracone::verify::error_of;
 using tetracone::verify::Temporary_file;
 
-namespace {
-
 const std::string mark = "\xef\xbb\xbf";
 
 /// With carriage returns for line feeds.
@@ -44,8 +42,6 @@ std::map<std::string, std::string> tetrahedra()
            "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n4 0\n1\n3 0 2 1\n1\n3 0 1 3\n1\n3 1 2 3\n1\n3 2 0 3\n0\n"},
           {"t.stl", stl + "endsolid t\n"}};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing)
 {

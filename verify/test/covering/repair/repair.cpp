@@ -13,8 +13,6 @@ using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 repair::Boundary boundary(const Polyhedron& polyhedron)
 {
   repair::Boundary result;
@@ -22,8 +20,6 @@ repair::Boundary boundary(const Polyhedron& polyhedron)
     for_each_directed_edge(polyhedron, f, [&](Index a, Index b) { repair::add_edge(result, a, b); });
   return result;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(planar_faces_stay_as_they_are)
 {

@@ -9,8 +9,6 @@ using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 using Points = std::vector<Bound_point<double>>;
 
-namespace {
-
 Points random_points(Random& random, const Bound_point<double>& flat)
 {
   Points points;
@@ -21,8 +19,6 @@ Points random_points(Random& random, const Bound_point<double>& flat)
   }
   return points;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_box_is_apart_from_no_point_that_it_holds)
 {

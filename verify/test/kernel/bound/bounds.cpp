@@ -11,8 +11,6 @@ namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 using rationals::Vector;
 
-namespace {
-
 constexpr double infinity = std::numeric_limits<double>::infinity(),
                  undefined = std::numeric_limits<double>::quiet_NaN();
 
@@ -36,8 +34,6 @@ Points random_points(Random& random, int count, int scale)
   }
   return points;
 }
-
-}  // namespace
 
 // --- frames --------------------------------------------------------------------------------------------------------
 

@@ -11,8 +11,6 @@ namespace rationals = tetracone::verify::rationals;
 using rationals::Vector;
 using tetracone::verify::Random;
 
-namespace {
-
 /// A triangle about a point at this distance from the origin, of this size; seen nearly edge-on now and then.
 Local_triangle triangle(Random& random, double from_origin, double size)
 {
@@ -26,8 +24,6 @@ Local_triangle triangle(Random& random, double from_origin, double size)
   }
   return t;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(planes_are_as_near_to_the_exact_ones_as_is_said)
 {

@@ -10,8 +10,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 // Points of the octahedron's surface: its corners, and random ones.
 std::vector<Direction> directions(Random& random, int count)
 {
@@ -61,8 +59,6 @@ std::vector<Vertex> cloud(Random& random, int count, double radius, const Vertex
   }
   return points;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(lattice_points_are_exact_in_double_at_every_scale_and_place)
 {

@@ -11,8 +11,6 @@ namespace rationals = tetracone::verify::rationals;
 using rationals::Vector;
 using tetracone::verify::Random;
 
-namespace {
-
 /// The exact facts. One is the sense in which the triangle's edges turn about p, 0 where they do not all agree. The
 /// other is whether p is before its plane.
 struct Truth {
@@ -50,8 +48,6 @@ Cone_probe::Views views(const Local_triangle& t, const Local_point& p)
 
 /// A number of 2^-least to 1 in size.
 double spread(Random& random, int least) { return std::exp2(-least * random.unit()); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_certain_is_true_of_the_exact_points)
 {

@@ -9,8 +9,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 /// Similarities, shears, reflections; far from the origin; bodies of unlike units.
 Placing placing(Random& random, int kind)
 {
@@ -41,8 +39,6 @@ void set_lane(Obb8& boxes, int lane, Random& random)
   for (int k = 0; k < 6; ++k) points.push_back(vector(random, 0.5));
   store_lane(boxes, lane, fitted_box(points, 1).axes, vector_of(boxes.origin), points);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_the_slack)
 {

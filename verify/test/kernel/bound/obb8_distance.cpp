@@ -9,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(test_obb8_distance)
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 using Find = void(Gap_test*, std::size_t);
 
 inline auto versions() { return TETRACONE_VERSIONS_HERE(find_gaps_simd); }
@@ -70,8 +68,6 @@ struct Scene {
     return made;
   }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_box_is_told_farther_than_two_corners_are_and_most_nearly_as_far)
 {

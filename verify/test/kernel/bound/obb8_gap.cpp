@@ -11,8 +11,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 inline auto certifying() { return TETRACONE_VERSIONS_HERE(certified_gaps_simd); }
 inline auto carrying() { return TETRACONE_VERSIONS_HERE(carry_now_simd); }
 inline auto least_after() { return TETRACONE_VERSIONS_HERE(least_gap_after_simd); }
@@ -116,8 +114,6 @@ bool is_less(const rationals::Vector& n, const rationals::Vector& from, const ra
 {
   return rationals::inner(n, rationals::minus(to, from)) < Rational(gap);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_after_a_step_and_on_a_course_too)
 {

@@ -12,8 +12,6 @@ using namespace tetracone::verify::scenes;
 
 using tetracone::verify::scenes::set;
 
-namespace {
-
 inline auto versions() { return TETRACONE_VERSIONS_HERE(overlapping_simd); }
 inline auto mapped_versions() { return TETRACONE_VERSIONS_HERE(overlapping_mapped_simd); }
 
@@ -53,8 +51,6 @@ Matrix sheared(Random& random)
   for (int j = 0; j < 3; ++j) edges.col(j) = (edges.col(j) + vector(random, 0.7)).normalized();
   return edges;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_are_never_told_apart)
 {
@@ -122,8 +118,6 @@ BOOST_AUTO_TEST_CASE(boxes_apart_by_a_plane_are_told_apart_by_each_of_the_15_axe
   }
 }
 
-namespace {
-
 /// A single box with a triangle in it, and points of its plane, as shares of the box's extents.
 struct Triangle {
   Single_box box{};
@@ -147,8 +141,6 @@ struct Triangle {
   double left(double y) const { return -1 + (1 + apex) * (y + 1) / 2; }
   double right(double y) const { return 1 - (1 - apex) * (y + 1) / 2; }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_a_triangle_are_never_told_apart_from_it)
 {
@@ -260,8 +252,6 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_or_undefined_is_not_told_apart)
     }
 }
 
-namespace {
-
 Placing placing(Random& random, int kind)
 {
   Placing p = random_placing(random);
@@ -288,8 +278,6 @@ Vector exact_image(const Placing& p, const Vector& local)
   const rationals::Vector at = p.image({Rational(local[0]), Rational(local[1]), Rational(local[2])});
   return {nearest_double(at[0]), nearest_double(at[1]), nearest_double(at[2])};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(mapped_boxes_that_touch_are_never_told_apart)
 {

@@ -12,8 +12,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 inline auto ray_versions() { return TETRACONE_VERSIONS_HERE(ray_lanes_simd); }
 
 Vector unit_vector(Random& random)
@@ -135,8 +133,6 @@ double any_way(Random& random)
     default: return real(random, -1, 0.1);  // in or behind the box
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_the_ray_meets_is_never_missed)
 {

@@ -10,8 +10,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 inline auto find_versions() { return TETRACONE_VERSIONS_HERE(find_near_simd); }
 
 Point_way::Rows rows(Random& random, double size)
@@ -105,8 +103,6 @@ Scene scene(Random& random, int kind, double away)
   s.sweep.middle = {offset, of_q, of_p};
   return s;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_at_a_time_are_near_at_it)
 {

@@ -8,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(test_oriented_box)
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 std::vector<Vector> points(Random& random, int count, int kind)
 {
   std::vector<Vector> all;
@@ -31,8 +29,6 @@ double along(const Obb8& boxes, int lane, int i, const Vector& node_origin, cons
   for (int k = 0; k < 3; ++k) sum += boxes.axis[i][k][lane] * (p[k] - (node_origin[k] + double(boxes.centre[k][lane])));
   return sum;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
 {
@@ -206,8 +202,6 @@ BOOST_AUTO_TEST_CASE(the_principal_direction_is_where_points_spread_most)
   BOOST_TEST((of_one.principal_axes() == Matrix::identity()));
 }
 
-namespace {
-
 struct Lane {
   Obb8 boxes{};
   Vector node_origin;  // as near as a node's is
@@ -226,8 +220,6 @@ struct Lane {
     return {along(boxes, 3, 1, node_origin, p), along(boxes, 3, 2, node_origin, p)};
   }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_triangle_lies_in_its_box_where_its_apex_says)
 {

@@ -9,8 +9,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 /// A frame's error of an image's coordinate.
 double error(const Bound_point<double>& image, const rationals::Vector& right, int i)
 {
@@ -66,8 +64,6 @@ Pose any_pose(Random& random, int kind)
     }
   }
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than_the_error_of_both)
 {

@@ -10,8 +10,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 inline auto stray_bounds() { return TETRACONE_VERSIONS_HERE(stray_bound_simd); }
 inline auto pace_bounds() { return TETRACONE_VERSIONS_HERE(pace_bound_simd); }
 inline auto all_steps_along() { return TETRACONE_VERSIONS_HERE(steps_along_simd); }
@@ -51,8 +49,6 @@ std::array<Placing, 2> step(Random& random, int kind)
   }
   return {p, q};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_bound)
 {

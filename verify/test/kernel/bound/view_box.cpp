@@ -6,8 +6,6 @@ BOOST_AUTO_TEST_SUITE(test_view_box)
 
 using namespace tetracone::kernel;
 
-namespace {
-
 /// A node of one box, turned about z by the angle of 3, 4, 5.
 Obb8 one_box()
 {
@@ -22,8 +20,6 @@ Obb8 one_box()
   }
   return boxes;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_corner_of_a_box_is_within_the_bounds)
 {

@@ -9,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(test_convex_depth)
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 /// A bipyramid on the points of a circle about 0, roughly; coordinates are multiples of 1/1024.
 Convex_solid bipyramid(std::uint32_t sides, double radius, double height)
 {
@@ -76,8 +74,6 @@ void check(const Convex_solid& a, const Pose& pose_a, const Convex_solid& b, con
   BOOST_TEST((depth.square() == square_of_all(a, pose_a, b, pose_b)));
   BOOST_TEST((dot(depth.vector(), depth.vector()) == depth.square()));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_depth_is_the_least_over_all_directions)
 {

@@ -8,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(test_direction_view)
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 Rational_point seen(const Direction_view& view, const Pose& pose, const Rational_point& x)
 {
   const auto m = view.of(pose);
@@ -17,8 +15,6 @@ Rational_point seen(const Direction_view& view, const Pose& pose, const Rational
   for (int i = 0; i < 3; ++i) y[i] = m[4 * i] * x[0] + m[4 * i + 1] * x[1] + m[4 * i + 2] * x[2] + m[4 * i + 3];
   return y;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_step_along_the_direction_changes_the_height_alone)
 {

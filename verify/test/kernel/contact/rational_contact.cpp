@@ -9,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(test_rational_contact)
 
 using namespace tetracone::kernel;
 
-namespace {
-
 using Triangle_vertices = std::array<Vertex, 3>;
 using Points = std::vector<Rational_point>;
 
@@ -70,8 +68,6 @@ std::vector<Points> sides_of(const Points& loop)
   std::sort(sides.begin(), sides.end());
   return sides;
 }
-
-}  // namespace
 
 // Triangles of a grid of 4 x 4 x 4 points, so that most meetings are degenerate: those by signs against those by
 // rational constructions, which share nothing.

@@ -10,8 +10,6 @@ using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 using Exact_piece = Convex_piece<Rational>;
 
-namespace {
-
 Exact_piece piece(const std::vector<Rational_point>& corners, const Rational& rise = 0)
 {
   Exact_piece result;
@@ -54,8 +52,6 @@ Rational_face face(const Exact_piece& p)
 
 /// The number of points and pieces that two faces share.
 bool share(const Exact_piece& p, const Exact_piece& q) { return !face_contact(face(p), face(q)).empty(); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(triangles_meet_at_both_ends_and_between_them_and_not_beyond)
 {

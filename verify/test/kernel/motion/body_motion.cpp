@@ -8,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(test_body_motion)
 using namespace tetracone::kernel;
 using tetracone::verify::Random;
 
-namespace {
-
 Rational part(int n, int d) { return Rational(n) / d; }
 
 Rigid_pose any_rigid(Random& random)
@@ -29,8 +27,6 @@ Rational value(const Integer_form& form, const Rational& time)
   }
   return sum;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_linear_motion_is_between_its_poses)
 {

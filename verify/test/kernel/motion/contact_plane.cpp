@@ -6,8 +6,6 @@ BOOST_AUTO_TEST_SUITE(test_contact_plane)
 
 using namespace tetracone::kernel;
 
-namespace {
-
 Body_motion shift(const Vertex& from, const Vertex& to)
 {
   return Body_motion::linear(Pose::translation(from[0], from[1], from[2]), Pose::translation(to[0], to[1], to[2]));
@@ -50,8 +48,6 @@ void check_sides(Contact_plane& plane)
   BOOST_TEST(!plane.holds(0, box(-0.25)));
   BOOST_TEST(!plane.holds(0, box(0.5)));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_plane_parts_what_lands_together_at_a_dyadic_time_and_at_a_third)
 {

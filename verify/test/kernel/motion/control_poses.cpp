@@ -10,8 +10,6 @@ using namespace tetracone::kernel;
 using tetracone::verify::Random;
 namespace rationals = tetracone::verify::rationals;
 
-namespace {
-
 Rational part(int n, int d) { return Rational(n) / d; }
 
 /// A turn, from short to nearly whole, by quaternions of different lengths.
@@ -27,8 +25,6 @@ Body_motion any_turn(Random& random)
   to.quaternion[1] += part(1, kind == 2 ? 50 : 7);
   return Body_motion::rigid(from, to).value();
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_point_stays_in_the_hull_of_its_images)
 {

@@ -7,8 +7,6 @@ BOOST_AUTO_TEST_SUITE(test_first_contact)
 
 using namespace tetracone::kernel;
 
-namespace {
-
 constexpr Moving_point still(Vertex v) { return {v, v}; }
 
 /// A vertex and the face of (0,0,0), (1,0,0), (0,1,0), which rests.
@@ -33,8 +31,6 @@ std::string first(const Moving_pair& pair)
   BOOST_TEST(time->hi == std::nextafter(time->lo, 2));
   return shortest(time->lo) + " " + shortest(time->hi);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_vertex_falls_through_a_face_its_edge_its_corner_or_past_it)
 {

@@ -8,16 +8,12 @@ BOOST_AUTO_TEST_SUITE(test_integer_form)
 using namespace tetracone::kernel;
 using tetracone::verify::form;
 
-namespace {
-
 bool same(const Integer_form& f, const Integer_form& g)
 {
   bool equal = f.size() == g.size();
   for (std::size_t k = 0; equal && k < f.size(); ++k) equal = f[k] == g[k];
   return equal;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(halves_are_the_form_over_halves_of_the_time)
 {

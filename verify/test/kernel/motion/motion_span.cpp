@@ -9,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(test_motion_span)
 using namespace tetracone::kernel;
 using tetracone::verify::Random;
 
-namespace {
-
 Vertex any_vertex(Random& random) { return {random.symmetric(), random.symmetric(), random.symmetric()}; }
 
 Body_motion any_motion(Random& random, bool is_rigid)
@@ -68,8 +66,6 @@ Moving_box any_box(Random& random, double size)
     for (double& x : edge) x = size * random.symmetric();
   return box;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_may_not_meet_in_a_span_is_apart_at_its_times)
 {

@@ -8,12 +8,8 @@ BOOST_AUTO_TEST_SUITE(test_time_root)
 using namespace tetracone::kernel;
 using tetracone::verify::form;
 
-namespace {
-
 /// The linear form that is n t - m up to a positive factor: zero at m/n.
 Integer_form fraction(int m, int n) { return form<2>({-m, n - m}); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(roots_are_isolated_in_order)
 {

@@ -8,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(test_double_double)
 
 using namespace tetracone::kernel;
 
-namespace {
-
 using Random = std::mt19937_64;
 
 double real(Random& random)
@@ -30,8 +28,6 @@ double error(const Double_double& computed, const Rational& right)
   if (right == 0) return computed.high == 0 && computed.low == 0 ? 0 : HUGE_VAL;
   return std::abs(nearest_double(Rational((exact(computed) - right) / right))) * 0x1p106;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sums_and_products_of_doubles_are_exact)
 {

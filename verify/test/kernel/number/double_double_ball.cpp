@@ -10,8 +10,6 @@ BOOST_AUTO_TEST_SUITE(test_double_double_ball)
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 using Ball = Double_double_ball;
 
 Rational exact(const Double_double& x) { return Rational(x.high) + Rational(x.low); }
@@ -31,8 +29,6 @@ Held any(Random& random, int exponent)
   held.number = exact(held.ball.middle) + Rational(held.ball.radius) * Rational(int(random() % 3) - 1);
   return held;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sums_and_products_hold_those_of_what_balls_hold)
 {

@@ -8,8 +8,6 @@ BOOST_AUTO_TEST_SUITE(test_fixed_integer)
 using namespace tetracone::kernel;
 using Random = std::mt19937_64;
 
-namespace {
-
 template <int limbs>
 mpz_class exactly(const Fixed_integer<limbs>& x)
 {
@@ -69,8 +67,6 @@ int wrong_sums(Random& random)
   }
   return wrong;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(products_of_any_digits_are_those_of_whole_numbers)
 {

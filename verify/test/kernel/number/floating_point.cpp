@@ -8,16 +8,12 @@ BOOST_AUTO_TEST_SUITE(test_floating_point)
 using namespace tetracone::kernel;
 using namespace tetracone::verify;
 
-namespace {
-
 bool is_sound_in_a_new_thread()
 {
   bool sound = false;
   std::thread([&sound] { sound = floating_point_is_sound(); }).join();
   return sound;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_environment_that_is_not_sound_is_noticed_and_inherited_by_threads)
 {

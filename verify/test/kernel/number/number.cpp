@@ -9,8 +9,6 @@ BOOST_AUTO_TEST_SUITE(test_number)
 
 using namespace tetracone::kernel;
 
-namespace {
-
 /// A random finite double of any exponent, denormals included.
 double any_double(std::mt19937_64& random)
 {
@@ -21,8 +19,6 @@ double any_double(std::mt19937_64& random)
 }
 
 Rational distance(const Rational& a, double b) { return abs(Rational(a - Rational(b))); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(decimals_become_the_nearest_double)
 {

@@ -10,15 +10,11 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 Rational exact_determinant(const Vertex& o, const Vertex& a, const Vertex& b, const Vertex& c)
 {
   using rationals::exactly;
   return rationals::six_volume(exactly(o), exactly(a), exactly(b), exactly(c));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sums_are_exact_at_every_scale_and_mixture_of_scales)
 {

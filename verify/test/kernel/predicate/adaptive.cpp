@@ -18,8 +18,6 @@ using Point = Adaptive::Point_3;
 using Decision = Adaptive::Decision;
 using Stage = Adaptive::Stage;
 
-namespace {
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Sample {
@@ -246,8 +244,6 @@ struct Fixed_signs {
               (difference && *difference != s.difference(axis)))
   {}
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_which_did)
 {

@@ -11,8 +11,6 @@ BOOST_AUTO_TEST_SUITE(test_enclosed_distance)
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 /// The corners of a feature, and their images over both kinds of numbers.
 struct Feature_pair {
   std::array<std::vector<Vertex>, 2> corner;
@@ -44,8 +42,6 @@ Pose turned(Random& random, double size)
   for (double& x : m) x = real(random, -size, size);
   return Pose(m);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_enclosed_distance_is_the_exact_one_rounded_once)
 {

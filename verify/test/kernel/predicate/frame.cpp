@@ -11,8 +11,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 using Kernels = std::tuple<Float, Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
 using Wide_kernels = std::tuple<Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
 using Rounded_motions = std::tuple<Float, Double, Tolerant, Epick>;
@@ -45,8 +43,6 @@ Pose fractions(Random& random)
 {
   return random_rotation(random, 4, {Rational(integer(random, -4, 4)) / 7, 1, Rational(0.1)});
 }
-
-}  // namespace
 
 KERNEL_TEST_CASE(a_vertex_is_taken_exactly, K, Wide_kernels)
 {

@@ -11,8 +11,6 @@ namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 using Points = std::array<Vertex, 4>;
 
-namespace {
-
 std::array<rationals::Vector, 4> exactly(const Points& p)
 {
   return {rationals::exactly(p[0]), rationals::exactly(p[1]), rationals::exactly(p[2]), rationals::exactly(p[3])};
@@ -50,8 +48,6 @@ Points on_a_grid(Random& random, int bits, int scale, bool coplanar)
     for (double& x : v) x = std::ldexp(x, scale);
   return p;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(points_of_a_grid_have_their_exact_signs)
 {

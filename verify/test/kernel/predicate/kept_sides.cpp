@@ -10,8 +10,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 /// Points of two bodies, mostly about one plane: many signs are exactly 0, or too small for the filter.
 class Two_bodies {
  public:
@@ -44,8 +42,6 @@ class Two_bodies {
   std::array<std::array<Point<Adaptive>, count>, 2> point_;
   std::array<std::array<rationals::Vector, count>, 2> exact_;
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(signs_are_exact_at_every_pose_however_often_they_are_asked)
 {

@@ -10,8 +10,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 std::optional<std::array<std::size_t, 3>> plane_basis(const std::vector<Vertex>& corners)
 {
   return tetracone::kernel::plane_basis(corners.size(), [&](std::size_t k) -> const Vertex& { return corners[k]; });
@@ -39,8 +37,6 @@ bool is_right(const std::vector<Vertex>& corners)
   if (!triple) return !span_a_plane(corners);
   return !collinear(corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_triple_off_one_line_is_found_exactly_where_there_is_one)
 {

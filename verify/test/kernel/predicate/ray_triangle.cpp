@@ -11,8 +11,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 struct Scene {
   Vertex origin, direction;
   std::array<Vertex, 3> triangle;
@@ -79,8 +77,6 @@ Truth truth(const Scene& scene)
   result.meets_line = !(left && right);
   return result;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_decided_and_rounded_is_what_rationals_say)
 {

@@ -11,8 +11,6 @@ BOOST_AUTO_TEST_SUITE(test_segment_face)
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 using Kernels = std::tuple<Float, Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
 using Corners = std::array<Vertex, 3>;
 
@@ -95,8 +93,6 @@ struct Sample {
     return found == truth || (is_in_plane && found == Contact::coplanar_overlap && truth == Contact::edge_edge);
   }
 };
-
-}  // namespace
 
 KERNEL_TEST_CASE(random_triangles_meet_segments_as_integers_say_in_any_order, K, Kernels)
 {

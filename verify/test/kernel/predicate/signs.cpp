@@ -14,16 +14,12 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 using Kernels = std::tuple<Float, Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
 
 rationals::Vector between(const Vertex& a, const Vertex& b)
 {
   return rationals::minus(rationals::exactly(b), rationals::exactly(a));
 }
-
-}  // namespace
 
 KERNEL_TEST_CASE(perturbed_side_is_the_side_of_the_point_really_moved, K, Kernels)
 {
@@ -49,8 +45,6 @@ KERNEL_TEST_CASE(perturbed_side_is_the_side_of_the_point_really_moved, K, Kernel
 
 // --- Tolerant --------------------------------------------------------------------------------------------------------
 
-namespace {
-
 struct With_tolerance {
   explicit With_tolerance(double absolute, double relative) { Tolerant::tolerance() = {absolute, relative}; }
   ~With_tolerance() { Tolerant::tolerance() = {}; }
@@ -62,8 +56,6 @@ Sign corner_of_height(double h)
   using T = Tolerant::Point_3;
   return volume_sign<Tolerant>(T(0, 0, 0), T(1, 0, 0), T(0, 1, 0), T(0, 0, h));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(without_a_tolerance_tolerant_is_plain_double)
 {

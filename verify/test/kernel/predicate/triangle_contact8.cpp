@@ -13,8 +13,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
-namespace {
-
 using Corners8 = std::array<std::array<std::array<Vertex, 3>, Triangles8::count>, 2>;  // of p, of q
 
 inline auto versions() { return TETRACONE_VERSIONS_HERE(triangle_contacts8_simd); }
@@ -116,8 +114,6 @@ Rational_face face_of(const std::array<rationals::Vector, 3>& t)
 {
   return Rational_face({{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}});
 }
-
-}  // namespace
 
 // The faces are compared by constructions in rationals, which share nothing with signs.
 BOOST_AUTO_TEST_CASE(what_is_decided_is_what_rationals_say)

@@ -11,8 +11,6 @@ using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 using Three = std::array<Vertex, 3>;
 
-namespace {
-
 /// In integers, by the second truth.
 bool share_a_point(const Three& p, const Three& q)
 {
@@ -39,8 +37,6 @@ bool meet(const Three& p, const Three& q)
   const auto a = placed<K>(p, Pose()), b = placed<K>(q, Pose());
   return triangles_meet<K>(corners<K>(a), corners<K>(b));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(every_triangle_of_a_small_grid_against_some)
 {
