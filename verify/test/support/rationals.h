@@ -67,6 +67,21 @@ inline Vector image(const Pose& pose, const Vector& p)
   return result;
 }
 
+/// The image of a direction.
+inline Vector turned(const Pose& pose, const Vector& d) { return minus(image(pose, d), image(pose, {0, 0, 0})); }
+
+/// True when the rows of the pose have length 1 and are across one another, exactly.
+inline bool is_orthonormal(const Pose& pose)
+{
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      Rational dot = 0;
+      for (int k = 0; k < 3; ++k) dot += pose.exact(4 * i + k) * pose.exact(4 * j + k);
+      if (dot != (i == j ? 1 : 0)) return false;
+    }
+  return true;
+}
+
 inline std::array<Vector, 3> images(const Pose& pose, const std::array<Vertex, 3>& t)
 {
   return {image(pose, exactly(t[0])), image(pose, exactly(t[1])), image(pose, exactly(t[2]))};

@@ -134,14 +134,4 @@ BOOST_AUTO_TEST_CASE(the_first_thing_wrong_is_named_with_its_line)
   BOOST_TEST(error_of(".poly", points + "0\n") == ": no face; expected a model with faces");
 }
 
-BOOST_AUTO_TEST_CASE(every_truncation_is_read_or_refused_in_one_line)
-{
-  const std::string text = tetracone::covering::read_bytes(models + "frame.poly");
-  for (std::size_t length = 0; length < text.size(); ++length) {
-    const std::string error = error_of(".poly", text.substr(0, length));
-    BOOST_TEST((error == "no error" ||
-                (error.find("; expected") != std::string::npos && error.find('\n') == std::string::npos)));
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 #include "tetracone/kernel/contact/direction_view.h"
 
+#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
@@ -10,10 +11,7 @@ using namespace tetracone::verify::scenes;
 
 Rational_point seen(const Direction_view& view, const Pose& pose, const Rational_point& x)
 {
-  const auto m = view.of(pose);
-  Rational_point y;
-  for (int i = 0; i < 3; ++i) y[i] = m[4 * i] * x[0] + m[4 * i + 1] * x[1] + m[4 * i + 2] * x[2] + m[4 * i + 3];
-  return y;
+  return tetracone::verify::rationals::image(Pose(view.of(pose)), x);
 }
 
 BOOST_AUTO_TEST_CASE(a_step_along_the_direction_changes_the_height_alone)

@@ -1,10 +1,12 @@
 #include "tetracone/kernel/number/pose.h"
 
+#include "verify/test/support/rationals.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_pose)
 
 using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
 
 BOOST_AUTO_TEST_CASE(identity_moves_nothing)
 {
@@ -31,12 +33,7 @@ BOOST_AUTO_TEST_CASE(quaternion_rotation_is_exactly_orthonormal)
 {
   const Pose pose = Pose::from_quaternion(1, 2, -3, 4, {Rational(1) / 3, 0, 7});
   BOOST_TEST(pose.is_rational());
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      Rational dot = 0;
-      for (int k = 0; k < 3; ++k) dot += pose.exact(4 * i + k) * pose.exact(4 * j + k);
-      BOOST_TEST((dot == (i == j ? 1 : 0)));
-    }
+  BOOST_TEST(rationals::is_orthonormal(pose));
   BOOST_TEST(pose.determinant_sign() == CGAL::POSITIVE);
   BOOST_TEST(pose[3] == 1.0 / 3);
 }
@@ -74,16 +71,8 @@ BOOST_AUTO_TEST_CASE(determinant_sign_is_exact_where_products_underflow)
       const int exponent = sample % 2 == 0 ? int(bits() % 2000) - 1000 : int(bits() % 8) - 4;
       m[k] = bits() % 4 == 0 ? 0.0 : std::ldexp(bits() % 2 == 0 ? 1.0 : -1.5, exponent);
     }
-    Rational exact = 0;
-    for (int j = 0; j < 3; ++j)
-      for (const int turn : {1, 2}) {
-        const int k = (j + turn) % 3, l = (j + 2 * turn) % 3;
-        const Rational product = Rational(m[j]) * Rational(m[4 + k]) * Rational(m[8 + l]);
-        if (turn == 1)
-          exact += product;
-        else
-          exact -= product;
-      }
+    const auto row = [&](int i) { return rationals::exactly({m[4 * i], m[4 * i + 1], m[4 * i + 2]}); };
+    const Rational exact = rationals::determinant(row(0), row(1), row(2));
     BOOST_REQUIRE(Pose(m).determinant_sign() == CGAL::sign(exact));
   }
 }
