@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(a_flat_closed_shell_is_flat)
   BOOST_TEST(c.shells.at(0).genus.value() == 0u);
 }
 
-BOOST_AUTO_TEST_CASE(the_deviation_of_a_lifted_corner_is_exact)
+BOOST_AUTO_TEST_CASE(the_deviation_of_a_corner_is_exact_and_of_equally_distant_ones_the_first_is_named)
 {
   // The unit square with its third corner lifted by h. Here p = 0, q = the lifted corner (the farthest), r = 1. The
   // plane through them is y h - z = 0 in (x, y, z), or x h - z = 0. So the corner left over is h / sqrt(1 + h^2) off.
@@ -197,10 +197,6 @@ BOOST_AUTO_TEST_CASE(the_deviation_of_a_lifted_corner_is_exact)
     BOOST_TEST(off.vertex == 3u);
     BOOST_TEST(std::abs(off.distance - h / std::hypot(1.0, h)) <= 4e-16 * h);
   }
-}
-
-BOOST_AUTO_TEST_CASE(of_equally_distant_vertices_the_first_is_named)
-{
   const Polyhedron p = one_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 3, 1}, {1, 2, -1}}, {{0, 1, 2, 4, 3}});
   BOOST_TEST(deviation(p, 0).vertex == 4u);
   BOOST_TEST((deviation(p, 0).squared_distance == 1));

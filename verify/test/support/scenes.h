@@ -145,15 +145,6 @@ inline Polyhedron with_cavity(Polyhedron outer, const Polyhedron& inner)
 }
 inline Polyhedron cube_with_cavity() { return with_cavity(cube(3), cube(2)); }
 
-/// Returns two boxes as one body: a face of two loops replaces the last face of both.
-inline Polyhedron joined_boxes(const Polyhedron& a, const Polyhedron& b)
-{
-  Polyhedron both = without_last_face(a);
-  append(both, without_last_face(b));
-  both.add_face({{4, 5, 7, 6}, {12, 13, 15, 14}});
-  return both;
-}
-
 /// The cube [-3, 3]^3 with a square tunnel of half width 1 along z: top and bottom are faces with a hole.
 inline Polyhedron cube_with_tunnel()
 {

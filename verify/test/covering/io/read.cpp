@@ -232,17 +232,13 @@ BOOST_AUTO_TEST_CASE(faces_of_one_or_two_corners_are_left_out_with_a_note)
   BOOST_TEST(error_of(".obj", "v 0 0 0\nv 1 0 0\nf 1 2\n") == ": no face; expected a model with faces");
 }
 
-BOOST_AUTO_TEST_CASE(faces_of_no_corner_are_refused)
+BOOST_AUTO_TEST_CASE(models_without_a_face_and_faces_of_no_corner_are_refused)
 {
   BOOST_TEST(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0 0\n") ==
              ":6: a face of 0 corners; expected at least 3");
   BOOST_TEST(error_of(".obj", "v 0 0 0\nv 1 0 0\nf\n") == ":3: a face of 0 corners; expected at least 3");
   BOOST_TEST(error_of(".poly", "3 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 0\n1 0\n1 1\n") ==
              ":7: a face of 1 corner; expected at least 3");
-}
-
-BOOST_AUTO_TEST_CASE(models_without_a_face_are_refused)
-{
   BOOST_TEST(error_of(".off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n") == ": no face; expected a model with faces");
   BOOST_TEST(error_of(".obj", "v 0 0 0\n") == ": no face; expected a model with faces");
   BOOST_TEST(error_of(".stl", "solid\nendsolid\n") == ": no face; expected a model with faces");
@@ -282,7 +278,7 @@ BOOST_AUTO_TEST_CASE(off_refuses_what_it_cannot_mean)
   check_refused(".off", ":7", triangle_off, {"3 0 1 2\n"});
 }
 
-BOOST_AUTO_TEST_CASE(obj_takes_negative_indices_and_every_form_of_corner)
+BOOST_AUTO_TEST_CASE(obj_takes_negative_indices_every_form_of_corner_comments_in_lines_and_other_names_of_faces)
 {
   const std::string vertices =
       "# tetrahedron\nmtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 0.5\nv 0 0 1\nvt 0 0\nvn 0 0 1\ng "
@@ -300,6 +296,10 @@ BOOST_AUTO_TEST_CASE(obj_takes_negative_indices_and_every_form_of_corner)
     BOOST_TEST(model.notes.at(0) == note, faces);
   }
   read_tetrahedron(".obj", "4 4\n" + tetrahedron_obj);
+  read_tetrahedron(".obj",
+                   "v 0 0 0#origin\nv 1 0 0 # x\nv 0 1 0\nv 0 0 1\n#\nf 1 3 2#\nfo 1 2 4\nf 2 3 "
+                   "4# last\nf 3 1 4\nusemtl a#b\n");
+  BOOST_TEST(read_text(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nq 1 2 3 4\n").polyhedron.loop(0, 0).size() == 4u);
 }
 
 BOOST_AUTO_TEST_CASE(obj_refuses_what_it_cannot_mean)
@@ -626,14 +626,6 @@ BOOST_AUTO_TEST_CASE(spellings_of_other_programs_are_the_same_tetrahedron)
     BOOST_TEST(is_closed(model.polyhedron), suffix);
     BOOST_TEST(model.notes.empty() == (suffix == std::string("stl")), suffix);
   }
-}
-
-BOOST_AUTO_TEST_CASE(obj_takes_comments_in_lines_and_the_other_names_of_faces)
-{
-  read_tetrahedron(".obj",
-                   "v 0 0 0#origin\nv 1 0 0 # x\nv 0 1 0\nv 0 0 1\n#\nf 1 3 2#\nfo 1 2 4\nf 2 3 "
-                   "4# last\nf 3 1 4\nusemtl a#b\n");
-  BOOST_TEST(read_text(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nq 1 2 3 4\n").polyhedron.loop(0, 0).size() == 4u);
 }
 
 BOOST_AUTO_TEST_CASE(merging_keeps_the_first_of_equal_vertices_and_all_loops)

@@ -31,14 +31,10 @@ BOOST_AUTO_TEST_CASE(the_sample_file_holds_three_poses)
   BOOST_TEST((poses[2].exact(11) == Rational(-5) / 2));
 }
 
-BOOST_AUTO_TEST_CASE(comments_blank_lines_and_foreign_line_ends_are_skipped)
+BOOST_AUTO_TEST_CASE(comments_are_skipped_and_decimals_stand_for_their_nearest_doubles_beside_fractions)
 {
   BOOST_TEST(poses_of("# one\n\n  \t\r\n1 0 0 0 0 1 0 0 0 0 1 0# trailing\r\n" + identity + "1 0 0 0 0 1 0 0 0 0 1 5")
                  .size() == 3u);
-}
-
-BOOST_AUTO_TEST_CASE(a_decimal_stands_for_its_nearest_double_also_beside_a_fraction)
-{
   const auto poses = poses_of("1/3 0 0 0.1  0 1 0 0  0 0 1 0\n");
   BOOST_TEST((poses[0].exact(3) == Rational(0.1)));
   BOOST_TEST((poses[0].exact(0) == Rational(1) / 3));
@@ -89,14 +85,10 @@ BOOST_AUTO_TEST_CASE(a_flat_matrix_is_refused_exactly)
   BOOST_TEST(error_of("1e300 1e300 0 0  1e300 1e300 0 0  0 0 1 0\n") == ":1" + flat);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_file_is_refused)
+BOOST_AUTO_TEST_CASE(what_is_no_file_is_refused_in_one_line)
 {
   BOOST_CHECK_THROW(read_poses("no/such/file"), Input_error);
   BOOST_CHECK_THROW(read_poses(TETRACONE_SOURCE_DIR), Input_error);
-}
-
-BOOST_AUTO_TEST_CASE(a_message_is_one_line_whatever_the_file_holds)
-{
   const std::string message =
       Input_error("a\nb", 3, in_quotes(std::string("\x01\xff") + std::string(100, 'y')), "expected z").what();
   BOOST_TEST(message == "a?b:3: '??" + std::string(38, 'y') + "...'; expected z");

@@ -43,7 +43,7 @@ std::map<std::string, std::string> tetrahedra()
           {"t.stl", stl + "endsolid t\n"}};
 }
 
-BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing)
+BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing_but_count)
 {
   for (const auto& [name, text] : tetrahedra()) {
     const Temporary_file plain(name, text);
@@ -63,10 +63,6 @@ BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing)
   }
   const Temporary_file points("points.txt", mark + "0 0 0\r1 1/2 0\r");
   BOOST_TEST(read_points(points.path()).size() == 2u);
-}
-
-BOOST_AUTO_TEST_CASE(line_numbers_count_old_line_ends)
-{
   const Temporary_file file("poses.txt", mark + "# one\r# two\r1 2 3\r");
   BOOST_TEST(error_of(file, [](const auto& path) { read_poses(path); }) ==
              ":3: 3 numbers; expected 12 or 16, the rows of a 3x4 or 4x4 matrix");

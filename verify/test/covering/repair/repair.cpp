@@ -74,22 +74,17 @@ BOOST_AUTO_TEST_CASE(triangles_keep_the_direction_of_the_loop_in_every_projectio
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_loop_that_runs_twice_round_is_covered_twice)
+BOOST_AUTO_TEST_CASE(loops_that_run_twice_round_or_touch_in_a_vertex_are_triangulated)
 {
-  const Polyhedron p = one_face({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}}, {{0, 1, 2, 3, 0, 1, 2, 3}});
-  const Triangulated t = triangulate_non_planar(p);
-  BOOST_TEST(t.fanned.empty());
-  BOOST_TEST(t.polyhedron.face_count() == 4u);
-  BOOST_TEST((boundary(t.polyhedron) == boundary(p)));
-}
-
-BOOST_AUTO_TEST_CASE(loops_that_touch_in_a_vertex_are_triangulated)
-{
-  const Polyhedron p =
-      one_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}, {2, 1, 0}, {1, 2, 0}}, {{0, 1, 2, 3}, {0, 5, 4}});
-  const Triangulated t = triangulate_non_planar(p);
-  BOOST_TEST(t.fanned.empty());
-  BOOST_TEST((boundary(t.polyhedron) == boundary(p)));
+  const Polyhedron twice = one_face({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5}, {0, 1, 0}}, {{0, 1, 2, 3, 0, 1, 2, 3}}),
+                   touching = one_face({{0, 0, 0}, {4, 0, 0}, {4, 4, 1}, {0, 4, 0}, {2, 1, 0}, {1, 2, 0}},
+                                       {{0, 1, 2, 3}, {0, 5, 4}});
+  for (const Polyhedron& p : {twice, touching}) {
+    const Triangulated t = triangulate_non_planar(p);
+    BOOST_TEST(t.fanned.empty());
+    BOOST_TEST((boundary(t.polyhedron) == boundary(p)));
+  }
+  BOOST_TEST(triangulate_non_planar(twice).polyhedron.face_count() == 4u);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_triangulated_becomes_fans_with_the_same_boundary)
@@ -164,13 +159,9 @@ BOOST_AUTO_TEST_CASE(what_is_closed_is_left_alone_inward_too)
   BOOST_TEST((CGAL::sign(volume(oriented.polyhedron)) == CGAL::NEGATIVE));
 }
 
-BOOST_AUTO_TEST_CASE(an_open_surface_is_not_closed_by_orientation)
+BOOST_AUTO_TEST_CASE(an_open_surface_and_a_moebius_band_are_not_closed_by_orientation)
 {
   BOOST_TEST(!closes_if_oriented(without_last_face(torus(6, 5))));
-}
-
-BOOST_AUTO_TEST_CASE(a_moebius_band_cannot_be_oriented)
-{
   Polyhedron p;
   for (int i = 0; i < 5; ++i) p.vertices.push_back({std::cos(i * 1.2566), std::sin(i * 1.2566), i * 0.1});
   for (Index i = 0; i < 5; ++i) p.add_polygon({i, (i + 1) % 5, (i + 2) % 5});

@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(the_origin_is_the_centroid_but_for_a_step)
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_lattice_is_fine_enough_for_the_model)
+BOOST_AUTO_TEST_CASE(the_lattice_is_fine_enough_for_the_model_and_models_of_one_point_and_of_none_have_one)
 {
   Random random(4);
   for (const double scale : {1.0, 1e-200, 1e200}) {
@@ -112,11 +112,6 @@ BOOST_AUTO_TEST_CASE(the_lattice_is_fine_enough_for_the_model)
     BOOST_TEST(lattice.step <= scale * 0x1p-14);
     BOOST_TEST(lattice.step >= scale * 0x1p-20);
   }
-}
-
-BOOST_AUTO_TEST_CASE(models_of_one_point_and_of_none_have_a_lattice)
-{
-  Random random(5);
   BOOST_TEST(inexact<double>(cone_lattice({}), random) == 0);
   for (const Vertex& v : {Vertex{0, 0, 0},
                           {1, 2, 3},
