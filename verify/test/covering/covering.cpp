@@ -2,7 +2,6 @@
 
 #include "tetracone/covering/edge_uses.h"
 #include "verify/test/support/at_once.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
@@ -10,7 +9,6 @@ BOOST_AUTO_TEST_SUITE(test_covering)
 
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 using rationals::Vector;
 

@@ -3,7 +3,6 @@
 
 #include "tetracone/kernel/bound/obb8.h"
 #include "tetracone/kernel/bound/oriented_box.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
 #include <array>

@@ -6,6 +6,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "verify/cases/tetrahedron.h"
+#include "verify/test/support/rationals.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,8 @@ using covering::Polyhedron;
 using kernel::Pose;
 using kernel::Rational;
 using kernel::Vertex;
+
+namespace rationals = verify::rationals;
 
 using Random = std::mt19937_64;
 

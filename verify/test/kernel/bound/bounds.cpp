@@ -1,13 +1,11 @@
 #include "tetracone/kernel/bound/bounds.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_bounds)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 using rationals::Vector;
 

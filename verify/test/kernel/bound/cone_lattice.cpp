@@ -1,13 +1,11 @@
 #include "tetracone/kernel/bound/cone_lattice.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_cone_lattice)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 // Points of the octahedron's surface: its corners, and random ones.

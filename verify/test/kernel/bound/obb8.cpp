@@ -6,7 +6,6 @@
 BOOST_AUTO_TEST_SUITE(test_obb8)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 /// Similarities, shears, reflections; far from the origin; bodies of unlike units.

@@ -8,7 +8,6 @@
 BOOST_AUTO_TEST_SUITE(test_obb8_gap)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 inline auto certifying() { return TETRACONE_VERSIONS_HERE(certified_gaps_simd); }

@@ -7,7 +7,6 @@
 BOOST_AUTO_TEST_SUITE(test_obb8_overlap)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 using tetracone::verify::scenes::set;

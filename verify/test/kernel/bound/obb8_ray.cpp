@@ -1,7 +1,6 @@
 #include "tetracone/kernel/bound/obb8_ray.h"
 
 #include "tetracone/kernel/bound/oriented_box.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
@@ -9,7 +8,6 @@
 BOOST_AUTO_TEST_SUITE(test_obb8_ray)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 inline auto ray_versions() { return TETRACONE_VERSIONS_HERE(ray_lanes_simd); }

@@ -7,7 +7,6 @@
 BOOST_AUTO_TEST_SUITE(test_obb8_sweep)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 inline auto find_versions() { return TETRACONE_VERSIONS_HERE(find_near_simd); }

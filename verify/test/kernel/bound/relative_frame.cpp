@@ -6,7 +6,6 @@
 BOOST_AUTO_TEST_SUITE(test_relative_frame)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 /// A frame's error of an image's coordinate.
@@ -130,10 +129,8 @@ BOOST_AUTO_TEST_CASE(squares_that_overflow_make_no_similarity_and_no_bound)
       std::array<double, 12> entries{};
       const int i = turn, j = (turn + 1) % 3, k = (turn + 2) % 3;
       entries[5 * i] = 1;
-      entries[5 * j] = h;
-      entries[5 * k] = h;
+      entries[5 * j] = entries[5 * k] = entries[4 * k + j] = h;
       entries[4 * j + k] = -h;
-      entries[4 * k + j] = h;
       std::array<double, 12> shrunk{};
       shrunk[5 * i] = 1;
       shrunk[5 * j] = shrunk[5 * k] = 1 / h;

@@ -7,7 +7,6 @@
 BOOST_AUTO_TEST_SUITE(test_relative_motion)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 inline auto stray_bounds() { return TETRACONE_VERSIONS_HERE(stray_bound_simd); }

@@ -1,6 +1,5 @@
 #include "tetracone/kernel/contact/direction_view.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 

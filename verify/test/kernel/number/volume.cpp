@@ -1,13 +1,11 @@
 #include "tetracone/kernel/number/volume.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_volume)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 Rational exact_determinant(const Vertex& o, const Vertex& a, const Vertex& b, const Vertex& c)

@@ -1,6 +1,5 @@
 #include "tetracone/kernel/predicate/adaptive.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
@@ -10,7 +9,6 @@ BOOST_AUTO_TEST_SUITE(test_adaptive)
 
 using namespace tetracone::kernel;
 namespace bound = tetracone::kernel::adaptive_bound;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 using CGAL::Sign;
 using rationals::Vector;

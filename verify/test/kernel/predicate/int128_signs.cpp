@@ -1,13 +1,11 @@
 #include "tetracone/kernel/predicate/int128_signs.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_int128_signs)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 using Points = std::array<Vertex, 4>;
 

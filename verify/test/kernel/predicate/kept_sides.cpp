@@ -1,13 +1,11 @@
 #include "tetracone/kernel/predicate/kept_sides.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_kept_sides)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 /// Points of two bodies, mostly about one plane: many signs are exactly 0, or too small for the filter.

@@ -1,13 +1,11 @@
 #include "tetracone/kernel/predicate/plane_basis.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_plane_basis)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 std::optional<std::array<std::size_t, 3>> plane_basis(const std::vector<Vertex>& corners)

@@ -1,14 +1,12 @@
 #include "tetracone/kernel/predicate/ray_triangle.h"
 
 #include "tetracone/kernel/number/products.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_ray_triangle)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 struct Scene {

@@ -2,7 +2,6 @@
 
 #include "tetracone/kernel/predicate/frame.h"
 #include "verify/test/support/kernel_test_case.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/suite.h"
 
@@ -11,7 +10,6 @@
 BOOST_AUTO_TEST_SUITE(test_signs)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 using Kernels = std::tuple<Float, Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;

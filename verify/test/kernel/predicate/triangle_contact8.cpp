@@ -2,7 +2,6 @@
 
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/rational_contact.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
 #include "verify/test/support/suite.h"
@@ -10,7 +9,6 @@
 BOOST_AUTO_TEST_SUITE(test_triangle_contact8)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 
 using Corners8 = std::array<std::array<std::array<Vertex, 3>, Triangles8::count>, 2>;  // of p, of q
