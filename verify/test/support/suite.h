@@ -1,7 +1,7 @@
 #ifndef TETRACONE_VERIFY_TEST_SUPPORT_SUITE_H
 #define TETRACONE_VERIFY_TEST_SUPPORT_SUITE_H
 
-// Boost.Test, and the headers of the standard library that most suites use.
+// This header includes Boost.Test, and the headers of the standard library that most suites use.
 
 #include <boost/test/unit_test.hpp>
 

@@ -8,7 +8,7 @@ BOOST_AUTO_TEST_SUITE(test_stage_counts)
 using namespace tetracone::kernel;
 using Stage = Adaptive::Stage;
 
-// That each stage counts its own signs is tested in adaptive.cpp.
+// Tests of adaptive.cpp say that each stage counts its own signs.
 
 BOOST_AUTO_TEST_CASE(fallbacks_are_what_the_fixed_and_the_exact_stage_decided)
 {
