@@ -316,17 +316,6 @@ BOOST_AUTO_TEST_CASE(obj_refuses_what_it_cannot_mean)
              ": 3 vertices and 1 faces; expected 3 and 2 as the first line counts");
 }
 
-BOOST_AUTO_TEST_CASE(polygons_stay_polygons)
-{
-  for (const char* name : {"cube.off", "lifted.obj"}) {
-    const Polyhedron cube = read(models + name);
-    BOOST_TEST(cube.vertices.size() == 8u);
-    BOOST_TEST(cube.face_count() == 6u);
-    BOOST_TEST(is_closed(cube));
-    for (Index f = 0; f < 6; ++f) BOOST_TEST(cube.loop(f, 0).size() == 4u);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(ply_takes_any_order_and_type_of_properties)
 {
   for (const bool big : {false, true}) {

@@ -151,14 +151,6 @@ BOOST_AUTO_TEST_CASE(orientation_restores_any_turned_faces_and_cgal_agrees_with_
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_closed_is_left_alone_inward_too)
-{
-  const Polyhedron p = turn_some(torus(6, 5), ~0ul);
-  const Oriented oriented = orient(p);
-  BOOST_TEST(oriented.turned.empty());
-  BOOST_TEST((CGAL::sign(volume(oriented.polyhedron)) == CGAL::NEGATIVE));
-}
-
 BOOST_AUTO_TEST_CASE(an_open_surface_and_a_moebius_band_are_not_closed_by_orientation)
 {
   BOOST_TEST(!closes_if_oriented(without_last_face(torus(6, 5))));
