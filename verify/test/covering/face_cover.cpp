@@ -3,30 +3,13 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/covering/star_faces.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <string>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_face_cover)
 
 using namespace tetracone::covering;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 using Triangles = std::vector<Face_cover::Triangle>;
-
-namespace {
-
-/// One face with these loops, in the plane z = x + 2 y.
-Polyhedron face(const std::vector<std::array<double, 2>>& corners, const std::vector<std::vector<Index>>& loops)
-{
-  Polyhedron p;
-  for (const auto& [x, y] : corners) p.vertices.push_back({x, y, x + 2 * y});
-  p.add_face(loops);
-  return p;
-}
 
 std::string flaw(const Polyhedron& p, const Triangles& triangles)
 {
@@ -35,21 +18,19 @@ std::string flaw(const Polyhedron& p, const Triangles& triangles)
 
 const std::vector<std::array<double, 2>> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(what_covers_a_face_has_no_flaw)
 {
-  const Polyhedron p = face(square, {{0, 1, 2, 3}});
+  const Polyhedron p = slanted_face(square, {{0, 1, 2, 3}});
   BOOST_TEST(flaw(p, {{0, 1, 2}, {0, 2, 3}}) == "");
   BOOST_TEST(flaw(p, {{1, 2, 3}, {3, 0, 1}}) == "");
-  const Polyhedron turned = face(square, {{3, 2, 1, 0}});
+  const Polyhedron turned = slanted_face(square, {{3, 2, 1, 0}});
   BOOST_TEST(flaw(turned, {{2, 1, 0}, {3, 2, 0}}) == "");
   // Twice round: each triangle twice.
-  const Polyhedron twice = face(square, {{0, 1, 2, 3, 0, 1, 2, 3}});
+  const Polyhedron twice = slanted_face(square, {{0, 1, 2, 3, 0, 1, 2, 3}});
   BOOST_TEST(flaw(twice, {{0, 1, 2}, {0, 2, 3}, {1, 2, 3}, {1, 3, 0}}) == "");
   BOOST_TEST(flaw(twice, {{0, 1, 2}, {0, 2, 3}}) != "");
   // All that is made here.
-  for (const auto& [name, body] : scenes::closed_bodies()) BOOST_TEST_CONTEXT(name)
+  for (const auto& [name, body] : closed_bodies()) BOOST_TEST_CONTEXT(name)
     {
       BOOST_TEST(!cover_flaw(body, star_faces(body)).has_value());
       BOOST_TEST(!cover_flaw(body, triangulate_faces(body)).has_value());
@@ -61,7 +42,7 @@ BOOST_AUTO_TEST_CASE(each_flaw_is_named)
   auto corners = square;
   corners.push_back({1, 1});  // no corner of the face
   corners.push_back({5, 5});
-  const Polyhedron p = face(corners, {{0, 1, 2, 3}});
+  const Polyhedron p = slanted_face(corners, {{0, 1, 2, 3}});
   const std::string ends = "its triangles do not end where its loops do, at the edge of vertices ";
   BOOST_TEST(flaw(p, {{0, 1, 2}}) == ends + "0 and 2");                        // half
   BOOST_TEST(flaw(p, {{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}) == ends + "0 and 1");  // a triangle twice
@@ -73,7 +54,7 @@ BOOST_AUTO_TEST_CASE(each_flaw_is_named)
   BOOST_TEST(flaw(p, {{0, 1, 2}, {0, 2, 3}, {0, 0, 1}}) == "its triangle 0 0 1 has no area");
   BOOST_TEST(flaw(p, {{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {2, 1, 0}}) == "triangles of opposite directions overlap");
   // A fan that fills a notch, and its opposite.
-  const Polyhedron notched = face({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, {{0, 1, 2, 3, 4}});
+  const Polyhedron notched = slanted_face({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, {{0, 1, 2, 3, 4}});
   BOOST_TEST(flaw(notched, {{3, 0, 1}, {3, 1, 2}, {3, 4, 0}}) == "");
   BOOST_TEST(flaw(notched, {{0, 1, 2}, {0, 2, 4}, {2, 4, 3}}) == ends + "2 and 3");
   BOOST_TEST(flaw(notched, {{0, 1, 2}, {0, 2, 4}, {4, 2, 3}}) == "triangles of opposite directions overlap");
@@ -81,10 +62,10 @@ BOOST_AUTO_TEST_CASE(each_flaw_is_named)
 
 BOOST_AUTO_TEST_CASE(corners_on_one_line_have_no_area)
 {
-  const Polyhedron p = face({{0, 0}, {1, 0}, {2, 0}, {0, 2}}, {{0, 1, 2, 3}});
+  const Polyhedron p = slanted_face({{0, 0}, {1, 0}, {2, 0}, {0, 2}}, {{0, 1, 2, 3}});
   BOOST_TEST(flaw(p, {{0, 1, 3}, {1, 2, 3}}) == "");
   BOOST_TEST(flaw(p, {{0, 1, 2}, {0, 2, 3}}) == "its triangle 0 1 2 has no area");
-  BOOST_TEST(flaw(face({{0, 0}, {1, 0}, {2, 0}, {3, 0}}, {{0, 1, 2, 3}}), {{0, 1, 2}, {0, 2, 3}}) ==
+  BOOST_TEST(flaw(slanted_face({{0, 0}, {1, 0}, {2, 0}, {3, 0}}, {{0, 1, 2, 3}}), {{0, 1, 2}, {0, 2, 3}}) ==
              "its triangle 0 1 2 has no area");
 }
 
@@ -92,14 +73,14 @@ BOOST_AUTO_TEST_CASE(holes_and_lobes_of_either_direction_are_covered)
 {
   // A square with a square hole, whose loop runs the other way round.
   const Polyhedron frame =
-      face({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {3, 1}, {3, 3}, {1, 3}}, {{0, 1, 2, 3}, {7, 6, 5, 4}});
+      slanted_face({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {3, 1}, {3, 3}, {1, 3}}, {{0, 1, 2, 3}, {7, 6, 5, 4}});
   const Triangles around{{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
   BOOST_TEST(flaw(frame, around) == "");
   BOOST_TEST(flaw(frame, {{0, 1, 2}, {0, 2, 3}}) != "");
   // Filled, and emptied again: the edges add up, and the hole is covered.
   BOOST_TEST(flaw(frame, {{0, 1, 2}, {0, 2, 3}, {7, 6, 5}, {7, 5, 4}}) == "triangles of opposite directions overlap");
   // Two lobes that share a corner, of winding numbers 1 and -1.
-  const Polyhedron lobes = face({{0, 0}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}}, {{0, 1, 2, 0, 3, 4}});
+  const Polyhedron lobes = slanted_face({{0, 0}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}}, {{0, 1, 2, 0, 3, 4}});
   BOOST_TEST(flaw(lobes, {{0, 1, 2}, {0, 3, 4}}) == "");
   BOOST_TEST(flaw(lobes, {{0, 1, 2}, {0, 4, 3}}) != "");
 }
@@ -107,7 +88,7 @@ BOOST_AUTO_TEST_CASE(holes_and_lobes_of_either_direction_are_covered)
 BOOST_AUTO_TEST_CASE(an_edge_that_bounds_nothing_is_a_side)
 {
   // From the square's corner to a point within, and back.
-  const Polyhedron slit = face({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 2}}, {{0, 1, 2, 3, 0, 4}});
+  const Polyhedron slit = slanted_face({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 2}}, {{0, 1, 2, 3, 0, 4}});
   BOOST_TEST(flaw(slit, {{0, 1, 2}, {0, 2, 3}}) ==
              "its triangles do not end where its loops do, at the edge of vertices 0 and 4");
   BOOST_TEST(flaw(slit, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}) == "");
@@ -117,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_corner_of_the_face_before_is_not_this_ones)
 {
   // A roof over the square, by the apex of a face that stands on it.
   Polyhedron wall;
-  wall.vertices = face(square, {{0, 1, 2, 3}}).vertices;
+  wall.vertices = slanted_face(square, {{0, 1, 2, 3}}).vertices;
   wall.vertices.push_back({1, 1, 9});
   wall.add_polygon({0, 2, 4});
   wall.add_polygon({0, 1, 2, 3});
@@ -129,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_corner_of_the_face_before_is_not_this_ones)
 
 BOOST_AUTO_TEST_CASE(the_face_is_named)
 {
-  const Polyhedron cube = scenes::unit_cube();
+  const Polyhedron cube = unit_cube();
   auto triangles = star_faces(cube);
   BOOST_TEST(!cover_flaw(cube, triangles).has_value());
   std::reverse(triangles.begin(), triangles.end());

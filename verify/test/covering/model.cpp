@@ -1,108 +1,26 @@
 #include "tetracone/covering/model.h"
 
 #include "verify/test/support/kernel_test_case.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <tuple>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_model)
 
 using namespace tetracone::covering;
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 using Exact_motions = std::tuple<Rational_kernel, Adaptive>;
-using Vertex_kernels = std::tuple<Double, Epick, Rational_kernel, Adaptive>;
-
-// The exact image of a placed point.
-template <class K>
-rationals::Vector exactly(const Point<K>& p)
-{
-  if constexpr (std::is_same_v<K, Adaptive>)
-    return p.pose == nullptr ? rationals::exactly(p.vertex) : rationals::image(*p.pose, rationals::exactly(p.vertex));
-  else
-    return {Rational(p.x()), Rational(p.y()), Rational(p.z())};
-}
-
-}  // namespace
-
-KERNEL_TEST_CASE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattice, K, Vertex_kernels)
-{
-  for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_INFO_SCOPE(name);
-    const Model<K> model(body);
-    BOOST_TEST(model.face_count() == body.face_count());
-    BOOST_REQUIRE(model.vertices().size() == body.vertices.size());
-    for (Index v = 0; v < body.vertices.size(); ++v)
-      BOOST_TEST((exactly<K>(model.point(v)) == rationals::exactly(body.vertices[v])));
-    BOOST_TEST((exactly<K>(model.origin()) == rationals::exactly(model.lattice().origin)));
-  }
-}
-
-KERNEL_TEST_CASE(placed_points_are_the_exact_images_pose_after_pose, K, Exact_motions)
-{
-  scenes::Random random(1);
-  const Polyhedron body = scenes::cube_with_tunnel();
-  const Model<K> model(body);
-  Placed_model<K> placed(model);
-  std::vector<Pose> poses;
-  for (int n = 0; n < 10; ++n) {
-    poses.push_back(scenes::random_rotation(random, 5, {Rational(1) / Rational(3), 2, n}));
-    poses.push_back(scenes::rounded(poses.back()));
-    poses.push_back(scenes::random_affine(random));
-    poses.push_back(Pose());
-  }
-  for (const Pose& pose : poses) {
-    placed.place(pose);
-    BOOST_TEST(placed.determinant_sign() == pose.determinant_sign());
-    int wrong = 0;
-    for (const int pass : {1, 2})  // the second from what the first kept
-      for (Index v = 0; v < body.vertices.size(); v += pass)
-        wrong += exactly<K>(placed.point(v)) != rationals::image(pose, rationals::exactly(body.vertices[v]));
-    BOOST_TEST(wrong == 0);
-  }
-}
-
-KERNEL_TEST_CASE(a_point_not_asked_for_at_one_pose_is_placed_at_the_next, K, Exact_motions)
-{
-  const Model<K> model(scenes::unit_cube());
-  Placed_model<K> placed(model);
-  const Pose first = scenes::translation(1, 0, 0), second = scenes::translation(5, 0, 0);
-  placed.place(first);
-  BOOST_TEST((exactly<K>(placed.point(0)) == rationals::Vector{1, 0, 0}));
-  placed.place(second);
-  BOOST_TEST((exactly<K>(placed.point(0)) == rationals::Vector{5, 0, 0}));
-  BOOST_TEST((exactly<K>(placed.point(7)) == rationals::Vector{6, 1, 1}));
-}
 
 KERNEL_TEST_CASE(signs_of_placed_points_are_those_of_their_pose, K, Exact_motions)
 {
   // The moved corner is on the plane x = 1 of the cube that stays, then beside it by less than doubles tell.
-  const Model<K> model(scenes::unit_cube());
+  const Model<K> model(unit_cube());
   Placed_model<K> moved(model), fixed(model);
   std::vector<Pose> poses;
   for (const double shift : {0.0, 0x1p-80, -0x1p-80, 0.0}) {
-    std::array<Rational, 12> entries = {Rational(3, 5),
-                                        Rational(-4, 5),
-                                        0,
-                                        1 + Rational(shift),
-                                        Rational(4, 5),
-                                        Rational(3, 5),
-                                        0,
-                                        Rational(1, 3),
-                                        0,
-                                        0,
-                                        1,
-                                        0};
-    poses.push_back(Pose(entries));
+    const Rational c(3, 5), s(4, 5);
+    poses.push_back(Pose(std::array<Rational, 12>{c, -s, 0, 1 + Rational(shift), s, c, 0, Rational(1, 3), 0, 0, 1, 0}));
   }
   std::vector<Index> wall;  // x = 1
   Index corner = 0;         // the origin
@@ -119,35 +37,6 @@ KERNEL_TEST_CASE(signs_of_placed_points_are_those_of_their_pose, K, Exact_motion
                                        fixed.point(corner));
     BOOST_TEST(inside != ZERO);
     BOOST_TEST(outside == -inside * CGAL::sign(side));
-  }
-}
-
-KERNEL_TEST_CASE(a_placed_face_shows_the_loops_of_its_face_at_the_pose, K, Exact_motions)
-{
-  scenes::Random random(2);
-  for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_INFO_SCOPE(name);
-    const Model<K> model(body);
-    Placed_model<K> placed(model);
-    const Pose pose = scenes::random_affine(random);
-    placed.place(pose);
-    const auto at = [&, &vertices = body.vertices](Index v) {
-      return rationals::image(pose, rationals::exactly(vertices[v]));
-    };
-    for (Index f = 0; f < body.face_count(); ++f) {
-      const Placed_face<K> face(placed, f);
-      std::size_t n = 0;
-      int wrong = 0;
-      for (std::size_t l = 0; l < body.loop_count(f); ++l) {
-        const Loop loop = body.loop(f, l);
-        for (std::size_t k = 0; k < loop.size(); ++k, ++n)
-          wrong += exactly<K>(face.from(n)) != at(loop[k]) || exactly<K>(face.to(n)) != at(loop[(k + 1) % loop.size()]);
-      }
-      BOOST_TEST(wrong == 0);
-      BOOST_TEST(face.edge_count() == n);
-      BOOST_TEST((exactly<K>(face.origin()) == at(body.loop(f, 0)[0])));
-      BOOST_TEST(face.is_degenerate() == rationals::is_zero(rationals::normal(body, f)));
-    }
   }
 }
 

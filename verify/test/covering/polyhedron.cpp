@@ -1,42 +1,18 @@
 #include "tetracone/covering/polyhedron.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_polyhedron)
 
 using namespace tetracone::covering;
-namespace scenes = tetracone::verify::scenes;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 std::vector<Index> indices(Loop loop) { return {loop.begin(), loop.end()}; }
 
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(a_face_may_be_built_from_the_loops_of_another_polyhedron)
-{
-  const Polyhedron tunnel = scenes::cube_with_tunnel();
-  Polyhedron copy;
-  for (Index f = 0; f < tunnel.face_count(); ++f) {
-    std::vector<Loop> loops;
-    for (std::size_t l = 0; l < tunnel.loop_count(f); ++l) loops.push_back(tunnel.loop(f, l));
-    copy.add_face(loops);
-  }
-  BOOST_REQUIRE(copy.face_count() == tunnel.face_count());
-  for (Index f = 0; f < copy.face_count(); ++f) {
-    BOOST_REQUIRE(copy.loop_count(f) == tunnel.loop_count(f));
-    for (std::size_t l = 0; l < copy.loop_count(f); ++l)
-      BOOST_TEST(indices(copy.loop(f, l)) == indices(tunnel.loop(f, l)));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(append_turned_runs_every_loop_the_other_way_round_and_twice_gives_it_back)
 {
-  const Polyhedron tunnel = scenes::cube_with_tunnel();
+  const Polyhedron tunnel = cube_with_tunnel();
   Polyhedron once, twice;
   append(once, tunnel, true);
   append(twice, once, true);

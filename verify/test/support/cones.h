@@ -2,7 +2,6 @@
 #define TETRACONE_VERIFY_TEST_SUPPORT_CONES_H
 
 #include "tetracone/tetratree/paper/tetra_cone.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
 #include <utility>

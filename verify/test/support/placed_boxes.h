@@ -3,7 +3,6 @@
 
 #include "tetracone/kernel/bound/obb8.h"
 #include "tetracone/kernel/bound/oriented_box.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
 #include <array>
@@ -17,6 +16,13 @@ namespace tetracone::verify::scenes {
 inline kernel::Vector vector(Random& random, double size = 1)
 {
   return size * kernel::Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
+}
+
+/// Returns the vector of three numbers.
+template <class Three>
+kernel::Vector vector_of(const Three& x)
+{
+  return {double(x[0]), double(x[1]), double(x[2])};
 }
 
 /// Returns the solution x of m x = v (Cramer's rule).
@@ -90,6 +96,12 @@ inline void store_lane(kernel::Obb8& boxes, int lane, const kernel::Matrix& axes
   stored.store(boxes, lane, node_origin, 0);
 }
 
+/// Returns an edge of a box, of length about 1.
+inline std::array<double, 3> axis(const kernel::Obb8& boxes, int lane, int i)
+{
+  return {boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]};
+}
+
 /// Returns the exact point of a box with these fractions of the extents as coordinates.
 inline rationals::Vector point(const kernel::Obb8& boxes, int lane, const std::array<double, 3>& share)
 {
@@ -109,6 +121,7 @@ struct Placing {
   kernel::Local_scale in_a, in_b;
 
   kernel::Box_map map() const { return {a, in_a, b, in_b}; }
+  kernel::Relative_frame frame() const { return {a, in_a, b, in_b}; }
 
   /// The exact image, in A's local units, of a point in B's local units.
   rationals::Vector image(const rationals::Vector& p) const
@@ -147,6 +160,12 @@ inline void move_far(Placing& p, double distance)
     for (int i = 0; i < 3; ++i) entries[4 * i + 3] += distance * (i + 1);
     *pose = Pose(entries);
   }
+}
+
+/// Returns the map that scales each axis.
+inline Pose diagonal(double x, double y, double z)
+{
+  return Pose(std::array<double, 12>{x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0});
 }
 
 /// Returns two bodies in random rotations, with local units of different sizes.

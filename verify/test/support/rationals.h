@@ -41,6 +41,11 @@ inline Vector outer(const Vector& a, const Vector& b)
           Rational(a[0] * b[1] - a[1] * b[0])};
 }
 inline Rational determinant(const Vector& a, const Vector& b, const Vector& c) { return inner(outer(a, b), c); }
+/// Returns six times the signed volume of a tetrahedron.
+inline Rational six_volume(const Vector& o, const Vector& a, const Vector& b, const Vector& c)
+{
+  return determinant(minus(a, o), minus(b, o), minus(c, o));
+}
 inline bool is_zero(const Vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 inline int sign(const Rational& a) { return (a > 0) - (a < 0); }
 
@@ -60,6 +65,26 @@ inline Vector image(const Pose& pose, const Vector& p)
     result[i] =
         pose.exact(4 * i) * p[0] + pose.exact(4 * i + 1) * p[1] + pose.exact(4 * i + 2) * p[2] + pose.exact(4 * i + 3);
   return result;
+}
+
+/// The image of a direction.
+inline Vector turned(const Pose& pose, const Vector& d) { return minus(image(pose, d), image(pose, {0, 0, 0})); }
+
+/// True when the rows of the pose have length 1 and are across one another, exactly.
+inline bool is_orthonormal(const Pose& pose)
+{
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      Rational dot = 0;
+      for (int k = 0; k < 3; ++k) dot += pose.exact(4 * i + k) * pose.exact(4 * j + k);
+      if (dot != (i == j ? 1 : 0)) return false;
+    }
+  return true;
+}
+
+inline std::array<Vector, 3> images(const Pose& pose, const std::array<Vertex, 3>& t)
+{
+  return {image(pose, exactly(t[0])), image(pose, exactly(t[1])), image(pose, exactly(t[2]))};
 }
 
 /// True when p is on the closed segment ab.

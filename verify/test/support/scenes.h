@@ -6,6 +6,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "verify/cases/tetrahedron.h"
+#include "verify/test/support/rationals.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,8 @@ using covering::Polyhedron;
 using kernel::Pose;
 using kernel::Rational;
 using kernel::Vertex;
+
+namespace rationals = verify::rationals;
 
 using Random = std::mt19937_64;
 
@@ -59,6 +62,33 @@ inline Polyhedron turned(const Polyhedron& what)
   Polyhedron result;
   append(result, what, true);
   return result;
+}
+
+/// Returns the body with those faces reversed whose bits are set. Requires at most 64 faces, or all bits set.
+inline Polyhedron turn_some(const Polyhedron& body, std::uint64_t faces)
+{
+  Polyhedron result;
+  result.vertices = body.vertices;
+  for (Index f = 0; f < body.face_count(); ++f) append_face(result, body, f, faces >> f % 64 & 1);
+  return result;
+}
+
+/// Returns the one face of these loops.
+inline Polyhedron one_face(const std::vector<Vertex>& vertices, const std::vector<std::vector<Index>>& loops)
+{
+  Polyhedron result;
+  result.vertices = vertices;
+  result.add_face(loops);
+  return result;
+}
+
+/// Returns the one face of these loops in the plane z = x + 2 y.
+inline Polyhedron slanted_face(const std::vector<std::array<double, 2>>& corners,
+                               const std::vector<std::vector<Index>>& loops)
+{
+  std::vector<Vertex> vertices;
+  for (const auto& [x, y] : corners) vertices.push_back({x, y, x + 2 * y});
+  return one_face(vertices, loops);
 }
 
 /// Returns the body without the faces f for which goes(f) is true.
@@ -118,39 +148,18 @@ inline Polyhedron with_cavity(Polyhedron outer, const Polyhedron& inner)
 }
 inline Polyhedron cube_with_cavity() { return with_cavity(cube(3), cube(2)); }
 
-/// Returns the only loop of a face reversed, with its vertices numbered from `first`.
-inline std::vector<Index> reversed_loop(const Polyhedron& body, Index f, Index first)
-{
-  std::vector<Index> loop;
-  for (const Index v : body.loop(f, 0)) loop.push_back(first + v);
-  std::reverse(loop.begin(), loop.end());
-  return loop;
-}
-
-/// Returns two boxes as one body: a face of two loops replaces the last face of both.
-inline Polyhedron joined_boxes(const Polyhedron& a, const Polyhedron& b)
-{
-  Polyhedron both = without_last_face(a);
-  append(both, without_last_face(b));
-  both.add_face({{4, 5, 7, 6}, {12, 13, 15, 14}});
-  return both;
-}
-
 /// The cube [-3, 3]^3 with a square tunnel of half width 1 along z: top and bottom are faces with a hole.
 inline Polyhedron cube_with_tunnel()
 {
-  Polyhedron result = box({-3, -3, -3}, {3, 3, 3}), tunnel = box({-1, -1, -3}, {1, 1, 3}), body;
-  body.vertices = result.vertices;
-  body.vertices.insert(body.vertices.end(), tunnel.vertices.begin(), tunnel.vertices.end());
+  const Polyhedron outer = box({-3, -3, -3}, {3, 3, 3}), tunnel = turned(box({-1, -1, -3}, {1, 1, 3}));
+  Polyhedron body = both(outer, tunnel), result;
+  result.vertices = body.vertices;
   for (Index f = 0; f < 4; ++f) {
-    body.add_polygon(result.loop(f, 0));
-    body.add_polygon(reversed_loop(tunnel, f, 8));
+    result.add_polygon(body.loop(f, 0));
+    result.add_polygon(body.loop(6 + f, 0));
   }
-  for (const Index f : {4u, 5u}) {
-    const auto outer = result.loop(f, 0);
-    body.add_face(std::vector<std::vector<Index>>{{outer.begin(), outer.end()}, reversed_loop(tunnel, f, 8)});
-  }
-  return body;
+  for (const Index f : {4u, 5u}) result.add_face(std::vector{body.loop(f, 0), body.loop(6 + f, 0)});
+  return result;
 }
 
 /// The frame [0,3]x[0,3]x[0,1] with the tunnel [1,2]x[1,2]: two holed faces. The corner (3,3,1) is lifted by `lift`.

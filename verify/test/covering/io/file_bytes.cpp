@@ -1,15 +1,11 @@
 #include "tetracone/covering/io/file_bytes.h"
 
 #include "tetracone/covering/io/read.h"
+#include "verify/test/support/suite.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <sys/stat.h>
-
-#include <boost/test/unit_test.hpp>
-
 #include <fstream>
-#include <string>
-#include <thread>
 
 BOOST_AUTO_TEST_SUITE(test_file_bytes)
 

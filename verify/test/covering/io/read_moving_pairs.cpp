@@ -1,18 +1,13 @@
 #include "tetracone/covering/io/read_moving_pairs.h"
 
+#include "verify/test/support/suite.h"
 #include "verify/test/support/temporary_file.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_read_moving_pairs)
 
 using namespace tetracone::covering;
 using tetracone::kernel::Moving_kind;
 using tetracone::verify::Temporary_file;
-
-namespace {
 
 std::string rows(int count, const std::string& row)
 {
@@ -26,8 +21,6 @@ std::string error_of(const std::string& text)
   return tetracone::verify::error_of(Temporary_file("queries.csv", text),
                                      [](const auto& path) { read_moving_pairs(path, Moving_kind::edge_edge); });
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(queries_are_eight_lines_each)
 {

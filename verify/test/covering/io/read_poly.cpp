@@ -1,66 +1,41 @@
 #include "tetracone/covering/io/read_poly.h"
 
-#include "tetracone/covering/io/read.h"
-#include "verify/test/support/temporary_file.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <string>
-#include <utility>
-#include <vector>
+#include "verify/test/support/model_texts.h"
+#include "verify/test/support/scenes.h"
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_read_poly)
 
 using namespace tetracone::covering;
+using namespace tetracone::verify::scenes;
+using namespace tetracone::verify::texts;
 using tetracone::kernel::Rational;
 using tetracone::verify::Temporary_file;
 
-namespace {
+Read_model read_poly(const std::string& text) { return read_text(".poly", text); }
 
-const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
-
-Read_model read_text(const std::string& text)
+std::string nodes(const Polyhedron& body, int base)
 {
-  const Temporary_file file("model.poly", text);
-  return read_model(file.path());
-}
-
-std::string error_of(const std::string& text)
-{
-  return tetracone::verify::error_of(Temporary_file("model.poly", text), [](const auto& path) { read_model(path); });
-}
-
-std::string nodes(const std::vector<std::array<double, 3>>& points, int base)
-{
-  std::string text = std::to_string(points.size()) + " 3 0 0\n";
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  std::string text = std::to_string(body.vertices.size()) + " 3 0 0\n";
+  for (std::size_t k = 0; k < body.vertices.size(); ++k) {
     text += std::to_string(k + base);
-    for (const double x : points[k]) text += " " + tetracone::kernel::shortest(x);
+    for (const double x : body.vertices[k]) text += " " + tetracone::kernel::shortest(x);
     text += "\n";
   }
   return text;
 }
 
-const std::vector<std::array<double, 3>> cube_points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                                        {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-const std::vector<std::vector<int>> cube_faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                                  {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-
-std::string facets(const std::vector<std::vector<int>>& faces, int base)
+/// The nodes and the facets of a body, the first node numbered `base`.
+std::string poly(const Polyhedron& body, int base = 0)
 {
-  std::string text = std::to_string(faces.size()) + " 0\n";
-  for (const auto& face : faces) {
-    text.append("1\n").append(std::to_string(face.size()));
-    for (const int v : face) text.append(" ").append(std::to_string(v + base));
+  std::string text = nodes(body, base) + std::to_string(body.face_count()) + " 0\n";
+  for (Index f = 0; f < body.face_count(); ++f) {
+    text.append("1\n").append(std::to_string(body.loop(f, 0).size()));
+    for (const Index v : body.loop(f, 0)) text.append(" ").append(std::to_string(v + base));
     text += "\n";
   }
   return text;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(hole_loops_are_turned_against_their_outer_loop_and_facets_across_their_edges)
 {
@@ -76,28 +51,22 @@ BOOST_AUTO_TEST_CASE(hole_loops_are_turned_against_their_outer_loop_and_facets_a
 
 BOOST_AUTO_TEST_CASE(what_closes_as_it_stands_is_left_alone_inward_too)
 {
-  auto inward = cube_faces;
-  for (auto& face : inward) std::reverse(face.begin(), face.end());
   for (const int base : {0, 1}) {
-    const Read_model out = read_text(nodes(cube_points, base) + facets(cube_faces, base) + "0\n0\n");
+    const Read_model out = read_poly(poly(unit_cube(), base) + "0\n0\n");
     BOOST_TEST((volume(out.polyhedron) == 1));
     BOOST_TEST(out.facets_turned == 0u);
-    const Read_model in = read_text(nodes(cube_points, base) + facets(inward, base) + "0\n");
+    const Read_model in = read_poly(poly(turned(unit_cube()), base) + "0\n");
     BOOST_TEST((volume(in.polyhedron) == -1));
     BOOST_TEST(in.facets_turned == 0u);
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_choice_of_turned_facets_gives_the_outward_cube_unless_it_was_closed)
+BOOST_AUTO_TEST_CASE(turned_facets_are_turned_back)
 {
-  for (unsigned turned = 0; turned < 64; ++turned) {
-    auto faces = cube_faces;
-    for (int f = 0; f < 6; ++f)
-      if (turned >> f & 1) std::reverse(faces[f].begin(), faces[f].end());
-    const Read_model model = read_text(nodes(cube_points, 1) + facets(faces, 1) + "0\n");
-    BOOST_TEST(is_closed(model.polyhedron));
-    BOOST_TEST((volume(model.polyhedron) == (turned == 63 ? -1 : 1)));
-    BOOST_TEST(model.facets_turned == (turned == 63 ? 0 : std::popcount(turned)));
+  for (const std::uint64_t turned : {0u, 1u, 22u, 62u}) {
+    const Read_model model = read_poly(poly(turn_some(unit_cube(), turned), 1) + "0\n");
+    BOOST_TEST((volume(model.polyhedron) == 1));
+    BOOST_TEST(model.facets_turned == std::size_t(std::popcount(turned)));
   }
 }
 
@@ -119,36 +88,26 @@ BOOST_AUTO_TEST_CASE(nodes_may_stand_in_a_file_of_their_own)
 
 BOOST_AUTO_TEST_CASE(hole_points_and_regions_behind_the_facets_are_passed_over)
 {
-  const Read_model model =
-      read_text(nodes(cube_points, 0) + facets(cube_faces, 0) + "1\n1 0.5 0.5 0.5\n1\n1 0.5 0.5 0.5 1 0.1\n");
+  const Read_model model = read_poly(poly(unit_cube()) + "1\n1 0.5 0.5 0.5\n1\n1 0.5 0.5 0.5 1 0.1\n");
   BOOST_TEST((volume(model.polyhedron) == 1));
   BOOST_TEST(model.notes.at(0) == "hole points of the volume are not used: only the facets' directions make a cavity");
 }
 
 BOOST_AUTO_TEST_CASE(an_open_facet_list_stays_open)
 {
-  const std::vector<std::vector<int>> lid(cube_faces.begin(), cube_faces.begin() + 5);
-  BOOST_TEST(!is_closed(read_text(nodes(cube_points, 0) + facets(lid, 0)).polyhedron));
+  BOOST_TEST(!is_closed(read_poly(poly(without_last_face(unit_cube()))).polyhedron));
 }
 
 BOOST_AUTO_TEST_CASE(a_hole_loop_is_turned_in_a_projection_where_it_has_area)
 {
   // A frame in each coordinate plane, and a skew one: the hole must come out against the outer loop.
   for (int axis = 0; axis < 4; ++axis) {
-    Polyhedron polyhedron;
-    const auto add = [&](double u, double v) {
-      polyhedron.vertices.push_back(axis == 0   ? Vertex{0, u, v}
-                                    : axis == 1 ? Vertex{u, 0, v}
-                                    : axis == 2 ? Vertex{u, v, 0}
-                                                : Vertex{u, v, u + v});
-    };
-    for (const auto& [u, v] : {std::pair{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}}) add(u, v);
+    std::vector<Vertex> frame;
+    for (const auto& [u, v] : {std::pair{0.0, 0.0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}})
+      frame.push_back(std::array<Vertex, 4>{{{0, u, v}, {u, 0, v}, {u, v, 0}, {u, v, u + v}}}[std::size_t(axis)]);
     for (const bool same : {true, false}) {
-      Polyhedron face = polyhedron;
-      if (same)
-        face.add_face({{0, 1, 2, 3}, {4, 5, 6, 7}});
-      else
-        face.add_face({{0, 1, 2, 3}, {7, 6, 5, 4}});
+      const std::vector<Index> hole = same ? std::vector<Index>{4, 5, 6, 7} : std::vector<Index>{7, 6, 5, 4};
+      const Polyhedron face = one_face(frame, {{0, 1, 2, 3}, hole});
       std::size_t turned = 0;
       const Polyhedron result = turn_hole_loops(face, turned);
       BOOST_TEST(turned == (same ? 1u : 0u));
@@ -159,40 +118,19 @@ BOOST_AUTO_TEST_CASE(a_hole_loop_is_turned_in_a_projection_where_it_has_area)
 
 BOOST_AUTO_TEST_CASE(the_first_thing_wrong_is_named_with_its_line)
 {
-  const std::string points = nodes(cube_points, 1);
-  const auto fails_at = [](const std::string& error, const std::string& line) {
-    return error.starts_with(line + ": ") && error.find("; expected") != std::string::npos;
-  };
-  BOOST_TEST(fails_at(error_of("2 2 0 0\n1 0 0\n2 1 0\n"), ":1"));
-  BOOST_TEST(fails_at(error_of("1 3 0 0\n2 0 0 0\n"), ":2"));
-  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n3 0 0 0\n"), ":3"));
-  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n2 0 0 # y is missing\n"), ":3"));
-  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n2 0 0 0 7\n"), ":3"));
-  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0 # the last one\n"), ":2"));
-  BOOST_TEST(fails_at(error_of(points), ":9"));
-  BOOST_TEST(fails_at(error_of(points + "1\n"), ":10"));
-  BOOST_TEST(fails_at(error_of(points + "99999\n1\n3 1 2 3\n"), ":10"));
-  BOOST_TEST(fails_at(error_of(points + "1\n0 # no polygon\n"), ":11"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 9\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 0\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 3 4\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n2 1 2\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n4294967298 1 2\n"), ":12"));
-  BOOST_TEST(fails_at(error_of(points + "1\n2 0\n4 1 2 3 4\n3 5 6 7\n"), ":11"));
-  BOOST_TEST(fails_at(error_of(points + "1\n2 1\n4 1 2 3 4\n3 5 6 7\n1 0 x 0\n"), ":14"));
-  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 3\n2\n1 0 0 0\n"), ":13"));
-  BOOST_TEST(error_of(points + "0\n") == ": no face; expected a model with faces");
-}
-
-BOOST_AUTO_TEST_CASE(every_truncation_is_read_or_refused_in_one_line)
-{
-  const std::string text = tetracone::covering::read_bytes(models + "frame.poly");
-  for (std::size_t length = 0; length < text.size(); ++length) {
-    const std::string error = error_of(text.substr(0, length));
-    BOOST_TEST((error == "no error" ||
-                (error.find("; expected") != std::string::npos && error.find('\n') == std::string::npos)));
-  }
+  const std::string points = nodes(unit_cube(), 1);
+  check_refused(".poly", ":1", "", {"2 2 0 0\n1 0 0\n2 1 0\n"});
+  check_refused(".poly", ":2", "1 3 0 0\n", {"2 0 0 0\n"});
+  check_refused(".poly", ":3", "2 3 0 0\n1 0 0 0\n", {"3 0 0 0\n", "2 0 0 # y is missing\n", "2 0 0 0 7\n"});
+  check_refused(".poly", ":2", "2 3 0 0\n", {"1 0 0 0 # the last one\n"});
+  check_refused(".poly", ":9", points, {""});
+  check_refused(".poly", ":10", points, {"1\n", "99999\n1\n3 1 2 3\n"});
+  check_refused(".poly", ":11", points, {"1\n0 # no polygon\n", "1\n2 0\n4 1 2 3 4\n3 5 6 7\n"});
+  check_refused(".poly", ":12", points + "1\n1\n",
+                {"3 1 2 9\n", "3 1 2 0\n", "3 1 2\n", "3 1 2 3 4\n", "2 1 2\n", "4294967298 1 2\n"});
+  check_refused(".poly", ":14", points, {"1\n2 1\n4 1 2 3 4\n3 5 6 7\n1 0 x 0\n"});
+  check_refused(".poly", ":13", points, {"1\n1\n3 1 2 3\n2\n1 0 0 0\n"});
+  BOOST_TEST(error_of(".poly", points + "0\n") == ": no face; expected a model with faces");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

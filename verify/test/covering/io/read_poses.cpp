@@ -1,18 +1,13 @@
 #include "tetracone/covering/io/read_poses.h"
 
+#include "verify/test/support/suite.h"
 #include "verify/test/support/temporary_file.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_read_poses)
 
 using namespace tetracone::kernel;
 using namespace tetracone::covering;
 using tetracone::verify::Temporary_file;
-
-namespace {
 
 const std::string identity = "1 0 0 0  0 1 0 0  0 0 1 0\n";
 
@@ -23,8 +18,6 @@ std::vector<Pose> poses_of(const std::string& text)
 }
 
 std::string error_of(const std::string& text) { return tetracone::verify::error_of(text, read_poses); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(the_sample_file_holds_three_poses)
 {
@@ -38,22 +31,13 @@ BOOST_AUTO_TEST_CASE(the_sample_file_holds_three_poses)
   BOOST_TEST((poses[2].exact(11) == Rational(-5) / 2));
 }
 
-BOOST_AUTO_TEST_CASE(comments_blank_lines_and_foreign_line_ends_are_skipped)
+BOOST_AUTO_TEST_CASE(comments_are_skipped_and_decimals_stand_for_their_nearest_doubles_beside_fractions)
 {
   BOOST_TEST(poses_of("# one\n\n  \t\r\n1 0 0 0 0 1 0 0 0 0 1 0# trailing\r\n" + identity + "1 0 0 0 0 1 0 0 0 0 1 5")
                  .size() == 3u);
-}
-
-BOOST_AUTO_TEST_CASE(a_decimal_stands_for_its_nearest_double_also_beside_a_fraction)
-{
   const auto poses = poses_of("1/3 0 0 0.1  0 1 0 0  0 0 1 0\n");
   BOOST_TEST((poses[0].exact(3) == Rational(0.1)));
   BOOST_TEST((poses[0].exact(0) == Rational(1) / 3));
-}
-
-BOOST_AUTO_TEST_CASE(fractions_that_are_doubles_make_a_pose_of_doubles)
-{
-  BOOST_TEST(!poses_of("2/2 0 0 1/4  0 1 0 0  0 0 1 0\n")[0].is_rational());
 }
 
 BOOST_AUTO_TEST_CASE(a_matrix_of_four_rows_stands_on_one_line_or_on_four)
@@ -101,14 +85,10 @@ BOOST_AUTO_TEST_CASE(a_flat_matrix_is_refused_exactly)
   BOOST_TEST(error_of("1e300 1e300 0 0  1e300 1e300 0 0  0 0 1 0\n") == ":1" + flat);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_file_is_refused)
+BOOST_AUTO_TEST_CASE(what_is_no_file_is_refused_in_one_line)
 {
   BOOST_CHECK_THROW(read_poses("no/such/file"), Input_error);
   BOOST_CHECK_THROW(read_poses(TETRACONE_SOURCE_DIR), Input_error);
-}
-
-BOOST_AUTO_TEST_CASE(a_message_is_one_line_whatever_the_file_holds)
-{
   const std::string message =
       Input_error("a\nb", 3, in_quotes(std::string("\x01\xff") + std::string(100, 'y')), "expected z").what();
   BOOST_TEST(message == "a?b:3: '??" + std::string(38, 'y') + "...'; expected z");

@@ -1,21 +1,14 @@
 #include "tetracone/covering/io/read_rigid_poses.h"
 
+#include "verify/test/support/suite.h"
 #include "verify/test/support/temporary_file.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_read_rigid_poses)
 
 using tetracone::covering::read_rigid_poses;
 using tetracone::verify::Temporary_file;
 
-namespace {
-
 std::string error_of(const std::string& text) { return tetracone::verify::error_of(text, read_rigid_poses); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(quaternions_and_translations_are_read_exactly_with_their_lines)
 {

@@ -1,22 +1,16 @@
 #include "tetracone/covering/io/text_lines.h"
 
-#include "tetracone/covering/io/read.h"
 #include "tetracone/covering/io/read_points.h"
 #include "tetracone/covering/io/read_poses.h"
-#include "verify/test/support/temporary_file.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <string>
+#include "verify/test/support/model_texts.h"
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_text_lines)
 
 using namespace tetracone::covering;
+using namespace tetracone::verify::texts;
 using tetracone::verify::error_of;
 using tetracone::verify::Temporary_file;
-
-namespace {
 
 const std::string mark = "\xef\xbb\xbf";
 
@@ -34,35 +28,22 @@ std::string utf16(const std::string& text)
   return wide;
 }
 
-struct Dialect {
-  std::string name, text;
-};
-
 /// A tetrahedron as every text format has it.
-std::vector<Dialect> tetrahedra()
+std::map<std::string, std::string> tetrahedra()
 {
   std::string stl = "solid t\n";
-  for (const char* const triangle :
-       {"0 0 0;0 1 0;1 0 0", "0 0 0;1 0 0;0 0 1", "1 0 0;0 1 0;0 0 1", "0 1 0;0 0 0;0 0 1"}) {
-    std::string corners = triangle;
-    for (std::size_t at; (at = corners.find(';')) != std::string::npos;) corners.replace(at, 1, "\nvertex ");
-    stl += "facet normal 0 0 0\nouter loop\nvertex " + corners + "\nendloop\nendfacet\n";
-  }
-  return {{"t.off", "OFF\n# four\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"},
-          {"t.obj", "# four\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"},
-          {"t.ply",
-           "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement "
-           "face 4\n"
-           "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 "
-           "3\n3 2 0 3\n"},
+  for (const char* const triangle : {"0 0 0\nvertex 0 1 0\nvertex 1 0 0", "0 0 0\nvertex 1 0 0\nvertex 0 0 1",
+                                     "1 0 0\nvertex 0 1 0\nvertex 0 0 1", "0 1 0\nvertex 0 0 0\nvertex 0 0 1"})
+    stl += "facet normal 0 0 0\nouter loop\nvertex " + std::string(triangle) + "\nendloop\nendfacet\n";
+  return {{"t.off", tetrahedron_off},
+          {"t.obj", tetrahedron_obj},
+          {"t.ply", ascii_ply("double", "int", "1")},
           {"t.poly",
            "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n4 0\n1\n3 0 2 1\n1\n3 0 1 3\n1\n3 1 2 3\n1\n3 2 0 3\n0\n"},
           {"t.stl", stl + "endsolid t\n"}};
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing)
+BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing_but_count)
 {
   for (const auto& [name, text] : tetrahedra()) {
     const Temporary_file plain(name, text);
@@ -82,10 +63,6 @@ BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing)
   }
   const Temporary_file points("points.txt", mark + "0 0 0\r1 1/2 0\r");
   BOOST_TEST(read_points(points.path()).size() == 2u);
-}
-
-BOOST_AUTO_TEST_CASE(line_numbers_count_old_line_ends)
-{
   const Temporary_file file("poses.txt", mark + "# one\r# two\r1 2 3\r");
   BOOST_TEST(error_of(file, [](const auto& path) { read_poses(path); }) ==
              ":3: 3 numbers; expected 12 or 16, the rows of a 3x4 or 4x4 matrix");

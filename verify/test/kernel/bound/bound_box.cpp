@@ -1,10 +1,7 @@
 #include "tetracone/kernel/bound/bound_box.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_bound_box)
 
@@ -12,9 +9,7 @@ using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 using Points = std::vector<Bound_point<double>>;
 
-namespace {
-
-Points random_points(tetracone::verify::scenes::Random& random, const Bound_point<double>& flat)
+Points random_points(Random& random, const Bound_point<double>& flat)
 {
   Points points;
   for (int k = 0; k < 20; ++k) {
@@ -24,8 +19,6 @@ Points random_points(tetracone::verify::scenes::Random& random, const Bound_poin
   }
   return points;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_box_is_apart_from_no_point_that_it_holds)
 {

@@ -1,25 +1,13 @@
 #include "tetracone/kernel/bound/bounds.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_bounds)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 using rationals::Vector;
-using scenes::Random;
-
-namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity(),
                  undefined = std::numeric_limits<double>::quiet_NaN();
@@ -39,50 +27,22 @@ Points random_points(Random& random, int count, int scale)
 {
   Points points(count);
   for (Vertex& p : points) {
-    p = scenes::real_vertex(random, 1);
+    p = real_vertex(random, 1);
     for (double& x : p) x = std::ldexp(x, scale);
   }
   return points;
 }
 
-}  // namespace
-
 // --- frames --------------------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(beyond_the_gate_the_error_is_infinite)
 {
-  const Pose shifted = scenes::translation(1, 0, 0);
+  const Pose shifted = translation(1, 0, 0);
   BOOST_TEST(std::isfinite(Frame(shifted, 0x1p249).error()));
   BOOST_TEST(!std::isfinite(Frame(shifted, 0x1p251).error()));
-  BOOST_TEST(!std::isfinite(Frame(scenes::translation(0x1p251, 0, 0), 1).error()));
+  BOOST_TEST(!std::isfinite(Frame(translation(0x1p251, 0, 0), 1).error()));
   BOOST_TEST(!std::isfinite(Frame(Pose(), infinity).error()));
   BOOST_TEST(!std::isfinite(Frame(shifted, undefined).error()));
-}
-
-BOOST_AUTO_TEST_CASE(the_identity_moves_nothing)
-{
-  const Frame frame(Pose(), 5);
-  const Bound_point<double> p{0.1, -0.3, 5};
-  BOOST_TEST((frame(p) == p));
-  BOOST_TEST((frame.pulled_back(p) == p));
-  BOOST_TEST(frame.stretch() == 1);
-}
-
-BOOST_AUTO_TEST_CASE(pulled_back_is_turned_into_its_argument_up_to_a_factor)
-{
-  Random random(3);
-  for (int n = 0; n < 100; ++n) {
-    const Pose pose = scenes::random_affine(random);
-    const Vertex v = scenes::grid_vertex(random, 5);
-    const auto pulled = Frame(pose, 1).pulled_back(v);
-    // Small integers: exact. M w = det(M) v.
-    Rational determinant = rationals::determinant({pose.exact(0), pose.exact(1), pose.exact(2)},
-                                                  {pose.exact(4), pose.exact(5), pose.exact(6)},
-                                                  {pose.exact(8), pose.exact(9), pose.exact(10)});
-    const Vector image =
-        rationals::minus(rationals::image(pose, rationals::exactly(pulled)), rationals::image(pose, {0, 0, 0}));
-    BOOST_TEST((image == rationals::times(determinant, rationals::exactly(v))));
-  }
 }
 
 // --- balls ---------------------------------------------------------------------------------------------------------
@@ -113,15 +73,8 @@ BOOST_AUTO_TEST_CASE(an_enclosing_ball_holds_all_points_and_is_no_larger_than_it
   BOOST_TEST(wrong == 0);
 }
 
-BOOST_AUTO_TEST_CASE(an_improved_centre_has_no_larger_ball_and_comes_near_the_smallest)
+BOOST_AUTO_TEST_CASE(an_improved_centre_comes_near_that_of_the_smallest_ball)
 {
-  Random random(5);
-  for (int n = 0; n < 50; ++n) {
-    Points points = random_points(random, 20, 0);
-    const auto start = centroid<double>(points), better = improved_centre<double>(start, points, 24);
-    BOOST_TEST(
-        (enclosing_ball<double, true>(better, points).radius <= enclosing_ball<double, true>(start, points).radius));
-  }
   // The ends of a rod, one of them many times: the centroid is at that end, the smallest ball's centre in the middle.
   Points rod(50, Vertex{1, 0, 0});
   rod.push_back({-1, 0, 0});
@@ -144,15 +97,11 @@ BOOST_AUTO_TEST_CASE(balls_apart_by_a_margin_are_separated_and_rounding_alone_de
 BOOST_AUTO_TEST_CASE(undefined_balls_are_never_separated)
 {
   const Ball<double> a{{0, 0, 0}, 1};
-  for (const double bad : {undefined, infinity, -infinity}) {
-    if (!(bad < 0)) BOOST_TEST((!separated<double, true>(a, Ball<double>{{9, 0, 0}, bad})));
-    if (std::isnan(bad)) {
-      BOOST_TEST((!separated<double, true>(a, Ball<double>{{bad, 0, 0}, 1})));
-      BOOST_TEST((!separated<double, true>(a, Ball<double>{{9, 9, bad}, 1})));
-    }
-  }
+  for (const Ball<double>& bad :
+       {Ball<double>{{9, 0, 0}, infinity}, {{9, 0, 0}, undefined}, {{undefined, 0, 0}, 1}, {{9, 9, undefined}, 1}})
+    BOOST_TEST((!separated<double, true>(a, bad)));
   // A centre that overflowed comes with an infinite radius.
-  const Frame frame(scenes::translation(0x1p1023, 0, 0), 0x1p1023);
+  const Frame frame(translation(0x1p1023, 0, 0), 0x1p1023);
   BOOST_TEST((!separated<double, true>(a, placed(frame, Ball<double>{{0x1p1023, 0, 0}, 1}))));
 }
 
@@ -164,7 +113,7 @@ BOOST_AUTO_TEST_CASE(all_axes_find_all_tetrahedra_that_are_apart_by_a_margin_and
   int missed = 0, missed_by_faces = 0;
   for (int n = 0; n < 3000; ++n) {
     Points a = random_points(random, 4, 0), b = random_points(random, 4, 0);
-    const Vertex d = scenes::real_vertex(random, 1);
+    const Vertex d = real_vertex(random, 1);
     const auto along = [&d](const Vertex& p, const Vertex& q) { return dot(d, p) < dot(d, q); };
     const double way =
         (dot(d, *std::ranges::max_element(a, along)) - dot(d, *std::ranges::min_element(b, along))) / dot(d, d) +
@@ -187,13 +136,12 @@ BOOST_AUTO_TEST_CASE(tetrahedra_that_touch_in_a_corner_are_separated_by_rounding
   int wrong = 0, by_rounding = 0;
   for (int n = 0; n < 1000; ++n) {
     // B is A's mirror image in its first corner, modelled d away, and its pose takes it back.
-    const Vertex d = scenes::grid_vertex(random, 1 << 20);
+    const Vertex d = grid_vertex(random, 1 << 20);
     Points a(4), b(4);
-    for (Vertex& p : a) p = scenes::grid_vertex(random, 1 << 20);
+    for (Vertex& p : a) p = grid_vertex(random, 1 << 20);
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < 3; ++i) b[k][i] = 2 * a[0][i] - a[k][i] + d[i];
-    const Pose pose = scenes::random_rotation(random, 9),
-               back = scenes::composed(pose, scenes::translation(-d[0], -d[1], -d[2]));
+    const Pose pose = random_rotation(random, 9), back = composed(pose, translation(-d[0], -d[1], -d[2]));
     const Frame frame_a(pose, reach_of(a)), frame_b(back, reach_of(b));
     Bound_tetrahedron<double> p, q;
     for (int k = 0; k < 4; ++k) {
@@ -210,7 +158,7 @@ BOOST_AUTO_TEST_CASE(tetrahedra_that_touch_in_a_corner_are_separated_by_rounding
 BOOST_AUTO_TEST_CASE(undefined_tetrahedra_are_never_separated)
 {
   const Bound_tetrahedron<double> a = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  const Frame far(scenes::translation(0x1p600, 0, 0), 0x1p700), here(Pose(), 1);
+  const Frame far(translation(0x1p600, 0, 0), 0x1p700), here(Pose(), 1);
   Bound_tetrahedron<double> b;
   for (int k = 0; k < 4; ++k) b[k] = far({0x1p699 * k, 0x1p698, 0});
   BOOST_TEST(!separated<double>(a, b, true, projection_slack(here, far)));
@@ -259,13 +207,14 @@ BOOST_AUTO_TEST_CASE(nothing_is_beyond_an_undefined_half_space)
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_in_a_corner_meet_and_boxes_apart_do_not)
 {
-  Box<double> a, b, c;
-  a.add({0, 0, 0});
-  a.add({1, 1, 1});
-  b.add({1, 1, 1});
-  b.add({2, 3, 2});
-  c.add({1.5, 1.5, 1.0000001});
-  c.add({2, 2, 2});
+  const auto box = [](const Bound_point<double>& low, const Bound_point<double>& high) {
+    Box<double> box;
+    box.add(low);
+    box.add(high);
+    return box;
+  };
+  const Box<double> a = box({0, 0, 0}, {1, 1, 1}), b = box({1, 1, 1}, {2, 3, 2});
+  Box<double> c = box({1.5, 1.5, 1.0000001}, {2, 2, 2});
   BOOST_TEST(a.meets(b));
   BOOST_TEST(b.meets(c));
   BOOST_TEST(!a.meets(c));

@@ -2,14 +2,7 @@
 
 #include "verify/cases/random.h"
 #include "verify/test/support/rationals.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <utility>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_cone_cells)
 
@@ -17,8 +10,6 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using rationals::Vector;
 using tetracone::verify::Random;
-
-namespace {
 
 /// A triangle about a point at this distance from the origin, of this size; seen nearly edge-on now and then.
 Local_triangle triangle(Random& random, double from_origin, double size)
@@ -33,8 +24,6 @@ Local_triangle triangle(Random& random, double from_origin, double size)
   }
   return t;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(planes_are_as_near_to_the_exact_ones_as_is_said)
 {

@@ -1,11 +1,7 @@
 #include "tetracone/kernel/bound/cone_coordinates.h"
 
 #include "tetracone/tetratree/paper/tetra_cone.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_cone_coordinates)
 

@@ -1,23 +1,15 @@
 #include "tetracone/kernel/bound/cone_lattice.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_cone_lattice)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 // Points of the octahedron's surface: its corners, and random ones.
-std::vector<Direction> directions(scenes::Random& random, int count)
+std::vector<Direction> directions(Random& random, int count)
 {
   std::vector<Direction> result;
   for (int axis = 0; axis < 3; ++axis)
@@ -27,8 +19,8 @@ std::vector<Direction> directions(scenes::Random& random, int count)
       result.push_back(corner);
     }
   for (int n = 0; n < count; ++n) {
-    const int x = scenes::integer(random, 0, lattice_size), y = scenes::integer(random, 0, lattice_size - x);
-    const auto sign = [&] { return scenes::integer(random, 0, 1) == 0 ? -1 : 1; };
+    const int x = integer(random, 0, lattice_size), y = integer(random, 0, lattice_size - x);
+    const auto sign = [&] { return integer(random, 0, 1) == 0 ? -1 : 1; };
     result.push_back({sign() * x, sign() * y, sign() * (lattice_size - x - y)});
   }
   return result;
@@ -42,7 +34,7 @@ bool is_power_of_two(double x)
 
 // Every lattice point is the exact sum in Number: of the origin and of step times the direction, all held by Number.
 template <class Number>
-int inexact(const Cone_lattice& lattice, scenes::Random& random)
+int inexact(const Cone_lattice& lattice, Random& random)
 {
   int wrong = 0;
   for (const Direction& d : directions(random, 200)) {
@@ -56,27 +48,25 @@ int inexact(const Cone_lattice& lattice, scenes::Random& random)
   return wrong;
 }
 
-std::vector<Vertex> cloud(scenes::Random& random, int count, double radius, const Vertex& centre)
+std::vector<Vertex> cloud(Random& random, int count, double radius, const Vertex& centre)
 {
   std::vector<Vertex> points(count);
   for (Vertex& p : points) {
-    p = scenes::real_vertex(random, 1);
+    p = real_vertex(random, 1);
     for (int k = 0; k < 3; ++k) p[k] = p[k] * radius + centre[k];
   }
   return points;
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(lattice_points_are_exact_in_double_at_every_scale_and_place)
 {
-  scenes::Random random(1);
+  Random random(1);
   for (const double scale : {1.0, 3e-5, 1e-300, 0x1p-1060, 0x1p-1074, 1e300, 8e307, 1.7e308})
     for (const double offset : {0.0, 1.0, 1e3, 1e15, 1e17, 1e30, -1e9}) {
       Vertex centre{offset * scale, -offset * scale, offset * scale / 3};
       for (double& x : centre)
         if (!std::isfinite(x) || std::abs(x) > 1.7e308 - scale) x = 0;
-      const auto points = cloud(random, 1 + scenes::integer(random, 0, 50), scale, centre);
+      const auto points = cloud(random, 1 + integer(random, 0, 50), scale, centre);
       const Cone_lattice lattice = cone_lattice(points);
       BOOST_TEST_INFO_SCOPE("scale " << scale << " offset " << offset);
       BOOST_TEST(is_power_of_two(lattice.step));
@@ -86,7 +76,7 @@ BOOST_AUTO_TEST_CASE(lattice_points_are_exact_in_double_at_every_scale_and_place
 
 BOOST_AUTO_TEST_CASE(lattice_points_are_exact_in_float_for_models_about_the_coordinate_origin)
 {
-  scenes::Random random(2);
+  Random random(2);
   for (const double scale : {1.0, 0.37, 1e-25, 1e30})
     for (int n = 0; n < 10; ++n) {
       std::vector<Vertex> points = cloud(random, 8, scale, {0, 0, 0});
@@ -98,7 +88,7 @@ BOOST_AUTO_TEST_CASE(lattice_points_are_exact_in_float_for_models_about_the_coor
 
 BOOST_AUTO_TEST_CASE(the_origin_is_the_centroid_but_for_a_step)
 {
-  scenes::Random random(3);
+  Random random(3);
   for (const double offset : {0.0, 1e6, -1e12}) {
     const auto points = cloud(random, 30, 2, {offset, offset / 2, -offset});
     const Cone_lattice lattice = cone_lattice(points);
@@ -112,19 +102,14 @@ BOOST_AUTO_TEST_CASE(the_origin_is_the_centroid_but_for_a_step)
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_lattice_is_fine_enough_for_the_model)
+BOOST_AUTO_TEST_CASE(the_lattice_is_fine_enough_for_the_model_and_models_of_one_point_and_of_none_have_one)
 {
-  scenes::Random random(4);
+  Random random(4);
   for (const double scale : {1.0, 1e-200, 1e200}) {
     const Cone_lattice lattice = cone_lattice(cloud(random, 20, scale, {0, 0, 0}));
     BOOST_TEST(lattice.step <= scale * 0x1p-14);
     BOOST_TEST(lattice.step >= scale * 0x1p-20);
   }
-}
-
-BOOST_AUTO_TEST_CASE(models_of_one_point_and_of_none_have_a_lattice)
-{
-  scenes::Random random(5);
   BOOST_TEST(inexact<double>(cone_lattice({}), random) == 0);
   for (const Vertex& v : {Vertex{0, 0, 0},
                           {1, 2, 3},

@@ -1,23 +1,14 @@
 #include "tetracone/kernel/bound/cone_slab.h"
 
 #include "verify/cases/random.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <map>
-#include <span>
-#include <utility>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_cone_slab)
 
 using namespace tetracone::kernel;
 using tetracone::verify::Random;
 
-namespace {
-
 Local_point along(const Local_point& p, double share) { return {p[0] * share, p[1] * share, p[2] * share}; }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_before_a_triangle_is_never_beyond_its_slab)
 {

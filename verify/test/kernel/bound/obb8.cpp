@@ -1,41 +1,21 @@
 #include "tetracone/kernel/bound/obb8.h"
 
-#include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_obb8)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::integer;
-using scenes::Placing;
-using scenes::Random;
-using scenes::real;
-using scenes::solved;
-using scenes::vector;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 /// Similarities, shears, reflections; far from the origin; bodies of unlike units.
 Placing placing(Random& random, int kind)
 {
-  Placing p = scenes::random_placing(random);
-  p.a = kind % 2 == 0 ? scenes::random_rotation(random, 5, {Rational(1) / 3, 0, 1})
-                      : scenes::rounded(scenes::random_rotation(random, 5));
-  p.b = scenes::rounded(scenes::random_rotation(random, 5, {1, 0, Rational(1) / 7}));
-  if (kind % 3 == 1) p.b = scenes::random_affine(random, 2);
-  if (kind % 3 == 2) scenes::move_far(p, 0x1p30);  // where the translations cancel
+  Placing p = random_placing(random);
+  p.a = kind % 2 == 0 ? random_rotation(random, 5, {Rational(1) / 3, 0, 1}) : rounded(random_rotation(random, 5));
+  p.b = rounded(random_rotation(random, 5, {1, 0, Rational(1) / 7}));
+  if (kind % 3 == 1) p.b = random_affine(random, 2);
+  if (kind % 3 == 2) move_far(p, 0x1p30);  // where the translations cancel
   return p;
 }
 
@@ -56,11 +36,8 @@ void set_lane(Obb8& boxes, int lane, Random& random)
 {
   std::vector<Vector> points;
   for (int k = 0; k < 6; ++k) points.push_back(vector(random, 0.5));
-  const Vector origin(boxes.origin[0], boxes.origin[1], boxes.origin[2]);
-  scenes::store_lane(boxes, lane, fitted_box(points, 1).axes, origin, points);
+  store_lane(boxes, lane, fitted_box(points, 1).axes, vector_of(boxes.origin), points);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_the_slack)
 {
@@ -83,10 +60,26 @@ BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_t
     const Single_box box = map(boxes, from, lane);
     BOOST_TEST_REQUIRE(std::isfinite(box.slack));
     ++(map.is_similarity() ? similar : general);
-
+    for (int j = 0; j < 3; ++j) {
+      const Vector normal = vector_of(box.edge[(j + 1) % 3]).cross(vector_of(box.edge[(j + 2) % 3]));
+      BOOST_TEST(std::abs(vector_of(box.edge[j]).norm() - 1) < 1e-6);
+      BOOST_TEST((normal - vector_of(box.normal[j])).norm() < 1e-6);
+    }
+    const Relative_frame frame(p.a, p.in_a, p.b, p.in_b);
+    BOOST_TEST(map.is_similarity() == frame.is_similarity());
+    BOOST_TEST(map.scale() == frame.scale());
+    BOOST_TEST(double(map.stretch()) >= frame.scale());
+    BOOST_TEST(double(map.stretch()) <= frame.scale() * (1 + 0x1p-18));
     Matrix linear;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) linear(i, j) = p.a[4 * i + j] * p.in_a.unit;
+    for (int i = 0; i < 3; ++i) {
+      BOOST_TEST(map.column(3)[i] == frame.offset()[i]);
+      for (int j = 0; j < 3; ++j) {
+        linear(i, j) = p.a[4 * i + j] * p.in_a.unit;
+        BOOST_TEST(map.column(j)[i] == frame.linear()[i][j]);
+        BOOST_TEST(std::abs(map.direction(j)[i] * frame.scale() - frame.linear()[i][j]) <=
+                   0x1p-22 * frame.scale() + 0x1p-24 * std::abs(frame.linear()[i][j]));
+      }
+    }
     for (int corner = 0; corner < 8; ++corner) {
       std::array<double, 3> at;
       for (int i = 0; i < 3; ++i) {
@@ -95,21 +88,18 @@ BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_t
           at[i] += (corner >> j & 1 ? 1 : -1) * double(from.extent[j][lane]) * from.axis[j][i][lane];
       }
       // The corner seen from the box's centre, solved in A's local units.
-      const Vector centre(double(boxes.origin[0]) + box.centre[0], double(boxes.origin[1]) + box.centre[1],
-                          double(boxes.origin[2]) + box.centre[2]);
+      const Vector centre = vector_of(boxes.origin) + vector_of(box.centre);
       const Vector out = solved(linear, exact_difference(p, at, centre));
       for (int n = 0; n < 12; ++n) {
         Vector direction = vector(random).normalized();
         if (n < 3) direction = Vector::unit(n);
-        if (n >= 3 && n < 6) direction = Vector(box.normal[n - 3][0], box.normal[n - 3][1], box.normal[n - 3][2]);
+        if (n >= 3 && n < 6) direction = vector_of(box.normal[n - 3]);
         double reach = 0;
-        for (int j = 0; j < 3; ++j)
-          reach += box.extent[j] * std::abs(direction.dot(Vector(box.edge[j][0], box.edge[j][1], box.edge[j][2])));
+        for (int j = 0; j < 3; ++j) reach += box.extent[j] * std::abs(direction.dot(vector_of(box.edge[j])));
         worst = maximum(worst, (std::abs(direction.dot(out)) - reach) / box.slack);
       }
     }
   }
-  BOOST_TEST_MESSAGE("largest excess / slack: " << worst);
   BOOST_TEST(worst <= 0.25);
   BOOST_TEST(worst > -1);
   BOOST_TEST(similar > 200);
@@ -128,62 +118,18 @@ BOOST_AUTO_TEST_CASE(edges_so_short_that_their_squares_underflow_have_length_1_o
       Obb8 from{}, boxes{};
       const std::vector<Vector> corners = {Vector(0.5, 0.25, 0.125), Vector(-0.5, -0.25, -0.125),
                                            Vector(0.5, -0.25, 0.125), Vector(-0.5, 0.25, -0.125)};
-      scenes::store_lane(from, 0, Matrix::identity(), Vector(), corners);
+      store_lane(from, 0, Matrix::identity(), Vector(), corners);
       const Single_box box = map(boxes, from, 0);
       if (!std::isfinite(box.slack)) {
         ++unknown;
         continue;
       }
       ++known;
-      for (int j = 0; j < 3; ++j) {
-        const double length = std::hypot(double(box.edge[j][0]), double(box.edge[j][1]), double(box.edge[j][2]));
-        wrong += !(std::abs(length - 1) <= 1e-6);
-      }
+      for (int j = 0; j < 3; ++j) wrong += !(std::abs(vector_of(box.edge[j]).norm() - 1) <= 1e-6);
     }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(unknown > 1000);
   BOOST_TEST(known > 300);
-}
-
-BOOST_AUTO_TEST_CASE(edges_have_length_1_and_normals_are_their_cross_products)
-{
-  Random random(2);
-  for (int k = 0; k < 300; ++k) {
-    const Placing p = placing(random, k);
-    const Box_map map(p.a, p.in_a, p.b, p.in_b);
-    Obb8 from{}, boxes{};
-    set_lane(from, 3, random);
-    const Single_box box = map(boxes, from, 3);
-    for (int j = 0; j < 3; ++j) {
-      const Vector e(box.edge[j][0], box.edge[j][1], box.edge[j][2]),
-          f(box.edge[(j + 1) % 3][0], box.edge[(j + 1) % 3][1], box.edge[(j + 1) % 3][2]),
-          g(box.edge[(j + 2) % 3][0], box.edge[(j + 2) % 3][1], box.edge[(j + 2) % 3][2]);
-      BOOST_TEST(std::abs(e.norm() - 1) < 1e-6);
-      BOOST_TEST((f.cross(g) - Vector(box.normal[j][0], box.normal[j][1], box.normal[j][2])).norm() < 1e-6);
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(columns_directions_and_stretch_are_those_of_the_frame)
-{
-  Random random(3);
-  for (int k = 0; k < 300; ++k) {
-    const Placing p = placing(random, k);
-    const Box_map map(p.a, p.in_a, p.b, p.in_b);
-    const Relative_frame frame(p.a, p.in_a, p.b, p.in_b);
-    BOOST_TEST(map.is_similarity() == frame.is_similarity());
-    BOOST_TEST(map.scale() == frame.scale());
-    BOOST_TEST(double(map.stretch()) >= frame.scale());
-    BOOST_TEST(double(map.stretch()) <= frame.scale() * (1 + 0x1p-18));
-    for (int i = 0; i < 3; ++i) {
-      BOOST_TEST(map.column(3)[i] == frame.offset()[i]);
-      for (int j = 0; j < 3; ++j) {
-        BOOST_TEST(map.column(j)[i] == frame.linear()[i][j]);
-        BOOST_TEST(std::abs(map.direction(j)[i] * frame.scale() - frame.linear()[i][j]) <=
-                   0x1p-22 * frame.scale() + 0x1p-24 * std::abs(frame.linear()[i][j]));
-      }
-    }
-  }
 }
 
 BOOST_AUTO_TEST_CASE(slack_grows_with_each_of_its_causes_and_is_never_0)

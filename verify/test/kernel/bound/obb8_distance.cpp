@@ -1,28 +1,13 @@
 #include "tetracone/kernel/bound/obb8_distance.h"
 
-#include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <initializer_list>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_obb8_distance)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
-using scenes::Random;
-using scenes::real;
-using scenes::set;
-using scenes::Solid;
-using scenes::vector;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 using Find = void(Gap_test*, std::size_t);
 
@@ -30,7 +15,7 @@ inline auto versions() { return TETRACONE_VERSIONS_HERE(find_gaps_simd); }
 
 Solid any(Random& random)
 {
-  Solid s{vector(random), scenes::random_axes(random), scenes::random_extents(random)};
+  Solid s{vector(random), random_axes(random), random_extents(random)};
   s.round();
   return s;
 }
@@ -46,7 +31,7 @@ struct Scene {
 
   Scene(Random& random, bool similarity, double gap)
   {
-    Matrix map = real(random, 0.3, 2) * scenes::random_axes(random);
+    Matrix map = real(random, 0.3, 2) * random_axes(random);
     if (!similarity) map.col(0) += 0.4 * map.col(1);
     const Vector offset = vector(random);
     std::array<double, 12> entries;
@@ -83,8 +68,6 @@ struct Scene {
     return made;
   }
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_box_is_told_farther_than_two_corners_are_and_most_nearly_as_far)
 {

@@ -1,52 +1,32 @@
 #include "tetracone/kernel/bound/obb8_gap.h"
 
-#include "tetracone/kernel/bound/oriented_box.h"
 #include "tetracone/kernel/bound/relative_motion.h"
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
+#include "verify/test/support/suite.h"
 
-#include <boost/test/unit_test.hpp>
+BOOST_AUTO_TEST_SUITE(test_obb8_gap)
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-namespace tetracone::kernel {
+using namespace tetracone::kernel;
+using namespace tetracone::verify::scenes;
 
 inline auto certifying() { return TETRACONE_VERSIONS_HERE(certified_gaps_simd); }
 inline auto carrying() { return TETRACONE_VERSIONS_HERE(carry_now_simd); }
 inline auto least_after() { return TETRACONE_VERSIONS_HERE(least_gap_after_simd); }
 
-}  // namespace tetracone::kernel
-
-BOOST_AUTO_TEST_SUITE(test_obb8_gap)
-
-using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::integer;
-using scenes::Placing;
-using scenes::point;
-using scenes::Random;
-using scenes::real;
-using scenes::set;
-using scenes::vector;
-
-namespace {
+/// An edge of a box along n, after it is turned.
+template <class Direction>
+double along(const Obb8& boxes, int lane, int i, const Vector& n, const Direction& direction)
+{
+  return n.dot(vector_of(direction(axis(boxes, lane, i))));
+}
 
 /// The shares of the corner of a box that reaches least along n, its axes turned by `direction`.
 template <class Direction>
 std::array<double, 3> lowest(const Obb8& boxes, int lane, const Vector& n, const Direction& direction)
 {
   std::array<double, 3> share;
-  for (int i = 0; i < 3; ++i) {
-    const std::array<double, 3> axis =
-        direction(std::array<double, 3>{boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]});
-    share[i] = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2] > 0 ? -1 : 1;
-  }
+  for (int i = 0; i < 3; ++i) share[i] = along(boxes, lane, i, n, direction) > 0 ? -1 : 1;
   return share;
 }
 
@@ -55,19 +35,12 @@ template <class Direction>
 std::array<double, 3> lowest_point(const Obb8& boxes, int lane, float apex, const Vector& n, const Direction& direction)
 {
   if (apex == no_apex) return lowest(boxes, lane, n, direction);
-  const auto along = [&](const std::array<double, 3>& share) {
+  const std::array<std::array<double, 3>, 3> corners = {{{0, -1, -1}, {0, 1, -1}, {0, apex, 1}}};
+  return *std::ranges::min_element(corners, {}, [&](const std::array<double, 3>& share) {
     double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-      const auto axis =
-          direction(std::array<double, 3>{boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]});
-      sum += share[i] * boxes.extent[i][lane] * (n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]);
-    }
+    for (int i = 0; i < 3; ++i) sum += share[i] * boxes.extent[i][lane] * along(boxes, lane, i, n, direction);
     return sum;
-  };
-  std::array<double, 3> best = {0, -1, -1};
-  for (const std::array<double, 3>& corner : {std::array<double, 3>{0, 1, -1}, {0, apex, 1}})
-    if (along(corner) < along(best)) best = corner;
-  return best;
+  });
 }
 
 /// Directions after a map turns them, and after `steps` further steps of a course.
@@ -104,18 +77,18 @@ Scene scene(Random& random, int kind)
 {
   Scene s;
   Placing& p = s.before;
-  p = scenes::random_placing(random);
-  if (kind % 4 == 1) p.b = scenes::scaled(p.b, 1.7);
-  if (kind % 5 == 2) scenes::move_far(p, 0x1p33);
-  if (kind % 3 == 1) p.b = scenes::rounded(p.b);
+  p = random_placing(random);
+  if (kind % 4 == 1) p.b = scaled(p.b, 1.7);
+  if (kind % 5 == 2) move_far(p, 0x1p33);
+  if (kind % 3 == 1) p.b = rounded(p.b);
   s.lane = integer(random, 0, 7);
   const double small = kind % 7 < 2 ? 1e-3 : 0.3;
-  scenes::set_single(s.from, s.lane, random, small, kind % 2 == 0 ? &s.apex : nullptr);
+  set_single(s.from, s.lane, random, small, kind % 2 == 0 ? &s.apex : nullptr);
   rationals::Vector middle = p.image(point(s.from, s.lane, {0, 0, 0}));
   const double near = small * nearest_double(Rational(p.in_b.unit / p.in_a.unit)) * (kind % 4 == 1 ? 1.7 : 1);
   for (int i = 0; i < 3; ++i)
     s.boxes.origin[i] = float(nearest_double(middle[i]) + near * real(random, -1, 1) * (kind % 6 == 0 ? 300 : 2));
-  scenes::set_near(s.boxes, random, near);
+  set_near(s.boxes, random, near);
   if (kind % 9 == 4) {  // little more than points: a gap is the centres' distance, and so are its errors
     for (auto& of_axis : s.boxes.extent)
       for (float& x : of_axis) x *= 0x1p-24F;
@@ -140,8 +113,6 @@ bool is_less(const rationals::Vector& n, const rationals::Vector& from, const ra
 {
   return rationals::inner(n, rationals::minus(to, from)) < Rational(gap);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_after_a_step_and_on_a_course_too)
 {
@@ -225,7 +196,6 @@ BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_aft
       wrong_on_course += is_less(exact_n, p_then, s.after.image(q_after), left.gap - steps * of_lane.rate);
     }
   }
-  BOOST_TEST_MESSAGE("gaps " << gaps << ", left after a step " << kept << ", tightest by " << tightest);
   BOOST_TEST(wrong == 0);
   BOOST_TEST(wrong_near == 0);
   BOOST_TEST(wrong_after == 0);
@@ -271,13 +241,12 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_has_no_gap)
         Course undefined;
         undefined.column[1][2] = undefined.size = bad;
         BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, placement, undefined)).gap > 0));
-        Placement error = placement;
-        error.error = double(bad);
-        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, error, {})).gap > 0));
-        error = placement;
-        error.scale = double(bad);
-        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, error, {})).gap > 0));
-        carry(Carrier(map, error, {}), s.from, s.lane, carried_wrong);
+        for (double Placement::*const number : {&Placement::error, &Placement::scale}) {
+          Placement wrong = placement;
+          wrong.*number = double(bad);
+          BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, wrong, {})).gap > 0));
+          carry(Carrier(map, wrong, {}), s.from, s.lane, carried_wrong);
+        }
         BOOST_TEST(!(after(found, apart, carried_wrong, going, Carrier(map, placement, {})).gap > 0));
       }
     }

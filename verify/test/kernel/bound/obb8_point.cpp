@@ -3,25 +3,14 @@
 #include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-
-namespace tetracone::kernel {
-
-inline auto point_versions() { return TETRACONE_VERSIONS_HERE(point_squares_simd); }
-
-}  // namespace tetracone::kernel
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_obb8_point)
 
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
-namespace {
+inline auto point_versions() { return TETRACONE_VERSIONS_HERE(point_squares_simd); }
 
 Vector random_vector(Random& random) { return {real(random, -1, 1), real(random, -1, 1), real(random, -1, 1)}; }
 
@@ -37,8 +26,6 @@ Matrix put(Obb8& boxes, int lane, Random& random)
   }
   return kept;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_point_of_a_box_is_nearer_than_the_bound_which_is_close)
 {

@@ -1,38 +1,15 @@
 #include "tetracone/kernel/bound/obb8_sweep.h"
 
-#include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
-
-namespace tetracone::kernel {
-
-inline auto find_versions() { return TETRACONE_VERSIONS_HERE(find_near_simd); }
-
-}  // namespace tetracone::kernel
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_obb8_sweep)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::integer;
-using scenes::Placing;
-using scenes::point;
-using scenes::Random;
-using scenes::real;
-using scenes::set;
-using scenes::vector;
+using namespace tetracone::verify::scenes;
 
-namespace {
+inline auto find_versions() { return TETRACONE_VERSIONS_HERE(find_near_simd); }
 
 Point_way::Rows rows(Random& random, double size)
 {
@@ -72,14 +49,14 @@ Sweep_test test(const Scene& s, const Box_map& map, const Box_sweep& sweep, cons
 Scene scene(Random& random, int kind, double away)
 {
   Scene s;
-  s.placing = scenes::random_placing(random);
+  s.placing = random_placing(random);
   s.lane = integer(random, 0, 7);
   s.other = integer(random, 0, 7);
   const double small = kind % 7 < 2 ? 1e-3 : 0.1;
-  scenes::set_single(s.from, s.other, random, small, kind % 2 == 0 ? &s.apex : nullptr);
+  set_single(s.from, s.other, random, small, kind % 2 == 0 ? &s.apex : nullptr);
   const double near = small * s.placing.in_b.unit / s.placing.in_a.unit;
   for (int i = 0; i < 3; ++i) s.boxes.origin[i] = float(real(random, -0.25, 0.25));
-  scenes::set_near(s.boxes, random, near);
+  set_near(s.boxes, random, near);
 
   // The single box's corner that comes first, and the lane's, or any points of both.
   const double inside = 1 - 0x1p-20, length = std::exp2(real(random, -6, 4)) * near,
@@ -89,9 +66,8 @@ Scene scene(Random& random, int kind, double away)
   const auto share = [&](const Obb8& boxes, int lane, double sense, const Box_map* map) {
     std::array<double, 3> share;
     for (int i = 0; i < 3; ++i) {
-      std::array<double, 3> axis = {boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]};
-      if (map) axis = map->frame().direction(axis);
-      share[i] = sense * (n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]) > 0 ? inside : -inside;
+      const auto edge = axis(boxes, lane, i);
+      share[i] = sense * n.dot(vector_of(map ? map->frame().direction(edge) : edge)) > 0 ? inside : -inside;
     }
     return share;
   };
@@ -127,8 +103,6 @@ Scene scene(Random& random, int kind, double away)
   return s;
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(boxes_that_touch_at_a_time_are_near_at_it)
 {
   Random random(1);
@@ -161,7 +135,6 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_at_a_time_are_near_at_it)
         }
       }
     }
-  BOOST_TEST_MESSAGE("apart " << found << " of " << asked << ", narrow " << narrow);
   BOOST_TEST(found > 0.3 * asked);
   BOOST_TEST(narrow > 0.1 * asked);
 }
@@ -240,15 +213,11 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_is_near_all_the
     BOOST_TEST(!is_near(s.placing.map(), s.sweep));
     for (const Box_map& map : {no_similarity.map(), Box_map()}) BOOST_TEST(is_near(map, s.sweep));
     for (const double x : bad) {
-      Box_sweep sweep = s.sweep;
-      sweep.rest = x;
-      BOOST_TEST(is_near(s.placing.map(), sweep));
-      sweep = s.sweep;
-      sweep.half = {{0, x, 0}, {}, {}};
-      BOOST_TEST(is_near(s.placing.map(), sweep));
-      sweep = s.sweep;
-      sweep.middle = {{0, 0, 0}, {{{x, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {}};
-      BOOST_TEST(is_near(s.placing.map(), sweep));
+      std::array<Box_sweep, 3> wrong = {s.sweep, s.sweep, s.sweep};
+      wrong[0].rest = x;
+      wrong[1].half = {{0, x, 0}, {}, {}};
+      wrong[2].middle = {{0, 0, 0}, {{{x, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {}};
+      for (const Box_sweep& sweep : wrong) BOOST_TEST(is_near(s.placing.map(), sweep));
     }
   }
 }

@@ -1,45 +1,32 @@
 #include "tetracone/kernel/bound/relative_frame.h"
 
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_relative_frame)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::Random;
-using scenes::scaled;
+using namespace tetracone::verify::scenes;
 
-namespace {
-
-/// The exact image of a local point.
-rationals::Vector exact(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Vertex& p)
+/// A frame's error of an image's coordinate.
+double error(const Bound_point<double>& image, const rationals::Vector& right, int i)
 {
-  return scenes::Placing{a, b, in_a, in_b}.image(rationals::exactly(p));
+  return std::abs(nearest_double(Rational(Rational(image[i]) - right[i])));
 }
 
 /// The largest error in units of the bound, at some of the cube's corners; -1 where no bound is known.
-double share_of_bound(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
+double share_of_bound(const Placing& p)
 {
-  const Relative_frame frame(a, in_a, b, in_b);
+  const Relative_frame frame = p.frame();
   if (!(frame.error() < HUGE_VAL)) return -1;
   double worst = 0;
   for (int corner = 0; corner < 8; corner += 3) {
-    const Vertex p = {corner & 1 ? -1.0 : 1.0, corner & 2 ? -1.0 : 1.0, corner & 4 ? -1.0 : 1.0};
-    const auto image = frame(p);
-    const rationals::Vector right = exact(a, in_a, b, in_b, p);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Rational off = Rational(image[i]) - right[i], bound(frame.error());
-      worst = maximum(worst, std::abs(nearest_double(Rational(off / bound))));
-    }
+    const Vertex at = {corner & 1 ? -1.0 : 1.0, corner & 2 ? -1.0 : 1.0, corner & 4 ? -1.0 : 1.0};
+    const auto image = frame(at);
+    const rationals::Vector right = p.image(rationals::exactly(at));
+    for (int i = 0; i < 3; ++i)
+      worst =
+          maximum(worst, std::abs(nearest_double(Rational((Rational(image[i]) - right[i]) / Rational(frame.error())))));
   }
   return worst;
 }
@@ -52,19 +39,22 @@ Pose sheared(const Pose& pose)
   return Pose(entries);
 }
 
+/// The pose with this translation.
+Pose placed_at(const Pose& pose, const Vertex& place)
+{
+  auto entries = pose.entries();
+  for (std::size_t i = 0; i < 3; ++i) entries[4 * i + 3] = place[i];
+  return Pose(entries);
+}
+
 Pose any_pose(Random& random, int kind)
 {
   switch (kind % 6) {
     case 0: return Pose();
-    case 1: return scenes::random_rotation(random);
-    case 2: return scenes::rounded(scenes::random_rotation(random));
-    case 3: return scenes::random_affine(random);
-    case 4: {  // far away
-      Pose pose = scenes::rounded(scenes::random_rotation(random));
-      auto entries = pose.entries();
-      for (int i = 0; i < 3; ++i) entries[4 * i + 3] = std::ldexp(1.0, 40) * (1 + i);
-      return Pose(entries);
-    }
+    case 1: return random_rotation(random);
+    case 2: return rounded(random_rotation(random));
+    case 3: return random_affine(random);
+    case 4: return placed_at(rounded(random_rotation(random)), {0x1p40, 2 * 0x1p40, 3 * 0x1p40});
     default: {  // nearly flat
       auto entries = Pose().entries();
       for (int j = 0; j < 3; ++j) entries[8 + j] = entries[j] + std::ldexp(double(int(random() % 5) - 2), -20);
@@ -74,8 +64,6 @@ Pose any_pose(Random& random, int kind)
   }
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than_the_error_of_both)
 {
   // Sizes from 2^-40 to 2^40: where B is the larger, the error of its point is most of the whole error.
@@ -83,22 +71,19 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than
   double worst = 0;
   int known = 0;
   for (int k = 0; k < 3000; ++k) {
-    const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
-    if (a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO) continue;
-    const Local_scale in_a{scenes::real_vertex(random, 2), 1},
-        in_b{scenes::real_vertex(random, 2), std::ldexp(1.0, int(random() % 81) - 40)};
-    const Relative_frame frame(a, in_a, b, in_b);
-    const double off = std::ldexp(1.0, -10 - int(random() % 43)), error = frame.error(off);
-    if (!(error < HUGE_VAL)) continue;
+    Placing p{any_pose(random, k), any_pose(random, k / 6), {}, {}};
+    if (p.a.determinant_sign() == CGAL::ZERO || p.b.determinant_sign() == CGAL::ZERO) continue;
+    p.in_a = {real_vertex(random, 2), 1};
+    p.in_b = {real_vertex(random, 2), std::ldexp(1.0, int(random() % 81) - 40)};
+    const Relative_frame frame = p.frame();
+    const double off = std::ldexp(1.0, -10 - int(random() % 43)), bound = frame.error(off);
+    if (!(bound < HUGE_VAL)) continue;
     ++known;
-    Vertex right = scenes::real_vertex(random, 0.5), p = right;
-    for (double& x : p) x += random() % 2 == 0 ? off : -off;
-    const auto image = frame(p);
-    const rationals::Vector of_right = exact(a, in_a, b, in_b, right);
-    for (int i = 0; i < 3; ++i)
-      worst = maximum(worst, std::abs(nearest_double(Rational(Rational(image[i]) - of_right[i]))) / error);
+    const Vertex right = real_vertex(random, 0.5);
+    Vertex at = right;
+    for (double& x : at) x += random() % 2 == 0 ? off : -off;
+    for (int i = 0; i < 3; ++i) worst = maximum(worst, error(frame(at), p.image(rationals::exactly(right)), i) / bound);
   }
-  BOOST_TEST_MESSAGE("largest error / bound: " << worst << " over " << known);
   BOOST_TEST(known > 2000);
   BOOST_TEST(worst <= 1);
   BOOST_TEST(worst > 0.9);
@@ -113,8 +98,8 @@ BOOST_AUTO_TEST_CASE(fractions_that_round_to_denormals_or_to_0_stay_within_the_e
     const auto with_tiny_entries = [&](const Pose& pose) {
       std::array<Rational, 12> m;
       for (int e = 0; e < 12; ++e)
-        m[e] = scenes::integer(random, 0, 2) == 0
-                   ? Rational(scenes::integer(random, 1, 9)) / 7 / rationals::power(scenes::integer(random, 1060, 1300))
+        m[e] = integer(random, 0, 2) == 0
+                   ? Rational(integer(random, 1, 9)) / 7 / rationals::power(integer(random, 1060, 1300))
                    : pose.exact(e);
       return Pose(m);
     };
@@ -122,11 +107,11 @@ BOOST_AUTO_TEST_CASE(fractions_that_round_to_denormals_or_to_0_stay_within_the_e
                b = with_tiny_entries(any_pose(random, k / 6));
     if (a.determinant_sign() == CGAL::ZERO) continue;
     const auto units = [&] {
-      const auto end = [&](int most) { return std::ldexp(1.0, scenes::integer(random, -1, 1) * most); };
-      return Local_scale{scenes::real_vertex(random, end(199)), end(200)};
+      const auto end = [&](int most) { return std::ldexp(1.0, integer(random, -1, 1) * most); };
+      return Local_scale{real_vertex(random, end(199)), end(200)};
     };
     const Local_scale in_a = units(), in_b = units();
-    const double share = share_of_bound(a, in_a, b, in_b);
+    const double share = share_of_bound({a, b, in_a, in_b});
     known += share >= 0;
     BOOST_TEST(share <= 1);
   }
@@ -144,10 +129,8 @@ BOOST_AUTO_TEST_CASE(squares_that_overflow_make_no_similarity_and_no_bound)
       std::array<double, 12> entries{};
       const int i = turn, j = (turn + 1) % 3, k = (turn + 2) % 3;
       entries[5 * i] = 1;
-      entries[5 * j] = h;
-      entries[5 * k] = h;
+      entries[5 * j] = entries[5 * k] = entries[4 * k + j] = h;
       entries[4 * j + k] = -h;
-      entries[4 * k + j] = h;
       std::array<double, 12> shrunk{};
       shrunk[5 * i] = 1;
       shrunk[5 * j] = shrunk[5 * k] = 1 / h;
@@ -157,69 +140,69 @@ BOOST_AUTO_TEST_CASE(squares_that_overflow_make_no_similarity_and_no_bound)
     }
 }
 
-BOOST_AUTO_TEST_CASE(rotations_are_similarities_and_shears_are_not)
+BOOST_AUTO_TEST_CASE(rotations_of_a_scale_that_floats_can_carry_are_similarities_and_shears_are_not)
 {
   Random random(5);
+  const auto is_similarity = [](const Pose& a, const Pose& b, double unit_a = 1, double unit_b = 1) {
+    return Placing{a, b, {{0, 0, 0}, unit_a}, {{0, 0, 0}, unit_b}}.frame().is_similarity();
+  };
   for (int k = 0; k < 200; ++k) {
-    const Pose a = scenes::random_rotation(random), b = scenes::rounded(scenes::random_rotation(random));
-    BOOST_TEST(Relative_frame(a, {}, b, {}).is_similarity());
-    BOOST_TEST(Relative_frame(b, {}, a, {}).is_similarity());
+    const Pose a = random_rotation(random), b = rounded(random_rotation(random));
+    BOOST_TEST(is_similarity(a, b));
+    BOOST_TEST(is_similarity(b, a));
   }
-  BOOST_TEST(
-      Relative_frame(Pose(std::array<double, 12>{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0}), {}, Pose(), {}).is_similarity());
-  BOOST_TEST(!Relative_frame(Pose(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}), {}, Pose(), {})
-                  .is_similarity());
-  BOOST_TEST(!Relative_frame(Pose(), {}, Pose(std::array<double, 12>{1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1, 0}), {})
-                  .is_similarity());
+  BOOST_TEST(is_similarity(diagonal(2, 2, 2), Pose()));
+  BOOST_TEST(!is_similarity(Pose(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}), Pose()));
+  BOOST_TEST(!is_similarity(Pose(), diagonal(1, 2, 1)));
+  for (const int exponent : {-300, -100, -61, 61, 100, 300}) {
+    BOOST_TEST(!is_similarity(Pose(), Pose(), 1, std::ldexp(1.0, exponent)));
+    BOOST_TEST(!is_similarity(Pose(), Pose(), std::ldexp(1.0, exponent), 1));
+  }
+  for (const int exponent : {-60, -20, 0, 20, 60})
+    BOOST_TEST(is_similarity(Pose(), Pose(), 1, std::ldexp(1.0, exponent)));
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_bounded_is_said_to_be_unknown)
 {
+  const auto is_unknown = [](const Pose& a, const Pose& b) {
+    return std::isinf(Placing{a, b, {}, {}}.frame().error());
+  };
   const double tiny = 0x1p-300, huge = 0x1p300;
-  for (const Pose& pose : {Pose(std::array<double, 12>{tiny, 0, 0, 0, 0, tiny, 0, 0, 0, 0, tiny, 0}),
-                           Pose(std::array<double, 12>{huge, 0, 0, 0, 0, huge, 0, 0, 0, 0, huge, 0}),
+  for (const Pose& pose : {diagonal(tiny, tiny, tiny), diagonal(huge, huge, huge),
                            Pose(std::array<double, 12>{1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0x1p-60, 0})})
-    BOOST_TEST(std::isinf(Relative_frame(pose, {}, Pose(), {}).error()));
+    BOOST_TEST(is_unknown(pose, Pose()));
   BOOST_TEST(std::isinf(Relative_frame().error()));
+  // A column of B's that overflows, another that does not.
+  const double large = 0x1p40, over = 0x1p1020;
+  const Pose turned(
+      std::array<double, 12>{large, -large, 0, 0, large, large, 0, 0, 0, 0, 1.4142135623730951 * large, 0});
+  for (const Pose& a : {Pose(), turned, sheared(turned)})
+    BOOST_TEST(is_unknown(a, Pose(std::array<double, 12>{1, over, 0, 0, 0, over, 0, 0, 0, -over, 1, 0})));
 }
 
 BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances_of_every_size)
 {
   Random random(6);
-  int known = 0, unknown = 0;
+  int known = 0;
   double worst = 0;
   for (int k = 0; k < 2400; ++k) {
-    const Pose rational = scenes::random_rotation(random, 5, {Rational(1) / 3, 0, Rational(-2) / 7});
-    Pose a = k % 2 == 0 ? scaled(scenes::rounded(rational),
-                                 std::ldexp(1.0 + scenes::real(random, 0, 1), scenes::integer(random, -40, 40)))
+    const Pose rational = random_rotation(random, 5, {Rational(1) / 3, 0, Rational(-2) / 7});
+    Pose a = k % 2 == 0 ? scaled(rounded(rational), std::ldexp(1.0 + real(random, 0, 1), integer(random, -40, 40)))
                         : rational;
-    Pose b = k % 3 == 0 ? scenes::random_rotation(random, 4)
-                        : scaled(scenes::rounded(scenes::random_rotation(random, 5)),
-                                 std::ldexp(1.0, scenes::integer(random, -60, 60)));
+    Pose b = k % 3 == 0 ? random_rotation(random, 4)
+                        : scaled(rounded(random_rotation(random, 5)), std::ldexp(1.0, integer(random, -60, 60)));
     if (k % 8 >= 4) a = sheared(a);
     if (k % 5 == 0) {  // both far away
-      auto far_a = a.entries(), far_b = b.entries();
-      const double distance = std::ldexp(1.0, scenes::integer(random, 10, 90));
-      for (int i = 0; i < 3; ++i) {
-        far_a[4 * i + 3] = distance + i;
-        far_b[4 * i + 3] = distance;
-      }
-      a = Pose(far_a);
-      b = Pose(far_b);
+      const double distance = std::ldexp(1.0, integer(random, 10, 90));
+      a = placed_at(a, {distance, distance + 1, distance + 2});
+      b = placed_at(b, {distance, distance, distance});
     }
-    const Local_scale in_a{scenes::real_vertex(random, k % 7 == 0 ? 1e12 : 1),
-                           std::ldexp(1.0, scenes::integer(random, -90, 90))};
-    const Local_scale in_b{scenes::real_vertex(random, k % 11 == 0 ? 1e12 : 1),
-                           std::ldexp(1.0, scenes::integer(random, -90, 90))};
-    const double share = share_of_bound(a, in_a, b, in_b);
-    if (share < 0) {
-      ++unknown;
-      continue;
-    }
-    ++known;
+    const Local_scale in_a{real_vertex(random, k % 7 == 0 ? 1e12 : 1), std::ldexp(1.0, integer(random, -90, 90))};
+    const Local_scale in_b{real_vertex(random, k % 11 == 0 ? 1e12 : 1), std::ldexp(1.0, integer(random, -90, 90))};
+    const double share = share_of_bound({a, b, in_a, in_b});
+    known += share >= 0;
     worst = maximum(worst, share);
   }
-  BOOST_TEST_MESSAGE("largest error / bound: " << worst << "; known " << known << ", unknown " << unknown);
   BOOST_TEST(worst <= 1);
   BOOST_TEST(worst > 0.001);
   BOOST_TEST(known > 1500);
@@ -231,28 +214,26 @@ BOOST_AUTO_TEST_CASE(bodies_modelled_far_off_and_brought_together_keep_their_bou
   Random random(10);
   double worst = 0, worst_of_small = 0;
   for (int k = 0; k < 1200; ++k) {
-    const int exponent = scenes::integer(random, 0, 60);
-    Pose a = k % 3 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
-    const Pose b =
-        k % 4 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
+    const int exponent = integer(random, 0, 60);
+    Pose a = k % 3 == 0 ? random_rotation(random, 5) : rounded(random_rotation(random, 5));
+    const Pose b = k % 4 == 0 ? random_rotation(random, 5) : rounded(random_rotation(random, 5));
     if (k % 5 == 0) a = sheared(a);
-    const Local_scale in_a{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1},
-        in_b{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1};
+    const Local_scale in_a{real_vertex(random, std::ldexp(1.0, exponent)), 1},
+        in_b{real_vertex(random, std::ldexp(1.0, exponent)), 1};
     std::array<Rational, 12> entries;
     for (int n = 0; n < 12; ++n) entries[n] = b.exact(n);
     for (int i = 0; i < 3; ++i) {
-      Rational t = a.exact(4 * i + 3) + Rational(scenes::real(random, -1, 1));
+      Rational t = a.exact(4 * i + 3) + Rational(real(random, -1, 1));
       for (int j = 0; j < 3; ++j)
         t += a.exact(4 * i + j) * Rational(in_a.origin[j]) - b.exact(4 * i + j) * Rational(in_b.origin[j]);
       entries[4 * i + 3] = k % 2 == 0 ? Rational(nearest_double(t)) : t;
     }
     const Pose near(entries);
-    const double share = share_of_bound(a, in_a, near, in_b);
+    const double share = share_of_bound({a, near, in_a, in_b});
     BOOST_TEST_REQUIRE(share >= 0);
     worst = maximum(worst, share);
     if (exponent >= 10 && exponent < 20 && k % 5 != 0) worst_of_small = maximum(worst_of_small, share);
   }
-  BOOST_TEST_MESSAGE("largest error / bound: " << worst << ", where doubles suffice " << worst_of_small);
   BOOST_TEST(worst <= 1);
   BOOST_TEST(worst_of_small > 0.01);
 }
@@ -268,10 +249,10 @@ BOOST_AUTO_TEST_CASE(a_fraction_that_rounds_to_nothing_has_no_false_bound)
       for (Rational& x : entries) x = 0;
       entries[0] = Rational(0x1p-1074) * Rational(digits) / Rational(100);
       entries[5] = entries[10] = small;
-      const Pose flat(entries), straight(std::array<double, 12>{small, 0, 0, 0, 0, small, 0, 0, 0, 0, small, 0});
+      const Pose flat(entries), straight = diagonal(small, small, small);
       const Local_scale far{{std::ldexp(1.0, exponent), 0, 0}, 4};
       for (const Pose& a : {straight, sheared(straight)}) {
-        const double share = share_of_bound(a, {}, flat, far);
+        const double share = share_of_bound({a, flat, {}, far});
         BOOST_TEST(share <= 1);
         known += share >= 0;
       }
@@ -279,46 +260,26 @@ BOOST_AUTO_TEST_CASE(a_fraction_that_rounds_to_nothing_has_no_false_bound)
   BOOST_TEST(known > 0);
 }
 
-BOOST_AUTO_TEST_CASE(what_overflows_has_no_bound)
-{
-  // A column of B's that overflows, another that does not.
-  const double huge = 0x1p1020;
-  const Pose turned =
-      Pose(std::array<double, 12>{0x1p40, -0x1p40, 0, 0, 0x1p40, 0x1p40, 0, 0, 0, 0, 1.4142135623730951 * 0x1p40, 0});
-  for (const Pose& a : {Pose(), turned, sheared(turned)})
-    BOOST_TEST(std::isinf(
-        Relative_frame(a, {}, Pose(std::array<double, 12>{1, huge, 0, 0, 0, huge, 0, 0, 0, -huge, 1, 0}), {}).error()));
-}
-
 BOOST_AUTO_TEST_CASE(scale_is_the_length_of_the_first_column_and_offset_the_image_of_the_origin)
 {
   Random random(8);
   for (int k = 0; k < 300; ++k) {
-    const Pose a = any_pose(random, k % 4), b = any_pose(random, k / 4 % 4);
-    const Local_scale in_a{scenes::real_vertex(random, 1), std::ldexp(1.0, scenes::integer(random, -3, 3))},
-        in_b{scenes::real_vertex(random, 1), 0.5};
-    const Relative_frame frame(a, in_a, b, in_b);
+    Placing p{any_pose(random, k % 4), any_pose(random, k / 4 % 4), {}, {real_vertex(random, 1), 0.5}};
+    p.in_a = {real_vertex(random, 1), std::ldexp(1.0, integer(random, -3, 3))};
+    const Relative_frame frame = p.frame(), same(p.a, p.in_a, p.b, p.in_b, -Origin_offset(p.b, p.in_b, p.a, p.in_a));
     const auto& l = frame.linear();
     BOOST_TEST(frame.scale() == std::sqrt(l[0][0] * l[0][0] + l[1][0] * l[1][0] + l[2][0] * l[2][0]),
                boost::test_tools::tolerance(1e-14));
     BOOST_TEST((frame.offset() == frame(Vertex{0, 0, 0})));
     const auto direction = frame.direction(Vertex{1, 2, 3}), image = frame(Vertex{1, 2, 3});
-    for (int i = 0; i < 3; ++i) BOOST_TEST(image[i] == direction[i] + frame.offset()[i]);
-    const rationals::Vector right = exact(a, in_a, b, in_b, {0, 0, 0});
-    for (int i = 0; i < 3; ++i)
-      BOOST_TEST(std::abs(nearest_double(Rational(Rational(frame.offset()[i]) - right[i]))) <= frame.error());
-    if (k % 4 < 3 && k / 4 % 4 < 3) BOOST_TEST(frame.scale() == 0.5 / in_a.unit, boost::test_tools::tolerance(1e-7));
+    for (int i = 0; i < 3; ++i) {
+      BOOST_TEST(image[i] == direction[i] + frame.offset()[i]);
+      BOOST_TEST(error(frame.offset(), p.image({0, 0, 0}), i) <= frame.error());
+      BOOST_TEST((frame.linear()[i] == same.linear()[i]));
+      BOOST_TEST(std::abs(frame.offset()[i] - same.offset()[i]) <= 2 * frame.error());
+    }
+    if (k % 4 < 3 && k / 4 % 4 < 3) BOOST_TEST(frame.scale() == 0.5 / p.in_a.unit, boost::test_tools::tolerance(1e-7));
   }
-}
-
-BOOST_AUTO_TEST_CASE(a_similarity_has_a_scale_that_floats_can_carry)
-{
-  for (const int exponent : {-300, -100, -61, 61, 100, 300}) {
-    BOOST_TEST(!Relative_frame(Pose(), {}, Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}).is_similarity());
-    BOOST_TEST(!Relative_frame(Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}, Pose(), {}).is_similarity());
-  }
-  for (const int exponent : {-60, -20, 0, 20, 60})
-    BOOST_TEST(Relative_frame(Pose(), {}, Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}).is_similarity());
 }
 
 BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
@@ -327,8 +288,7 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
   double worst = 0, worst_finer = 0;
   for (int k = 0; k < 3600; ++k) {
     const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
-    const Local_scale in_a{scenes::real_vertex(random, k % 5 == 0 ? 1e9 : 2), 1},
-        in_b{scenes::real_vertex(random, 3), 8};
+    const Local_scale in_a{real_vertex(random, k % 5 == 0 ? 1e9 : 2), 1}, in_b{real_vertex(random, 3), 8};
     const Origin_offset d(a, in_a, b, in_b), finer = Origin_offset::in_double_double(a, in_a, b, in_b);
     double largest = 0;
     for (int i = 0; i < 3; ++i) {
@@ -352,23 +312,8 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
     BOOST_TEST(d.largest() == largest);
     BOOST_TEST((-d).error() == d.error());
   }
-  BOOST_TEST_MESSAGE("largest error / bound: " << worst << ", in double-double " << worst_finer);
   BOOST_TEST(worst > 0.01);
   BOOST_TEST(worst_finer > 0.01);
-}
-
-BOOST_AUTO_TEST_CASE(a_frame_of_known_origins_is_the_frame)
-{
-  Random random(10);
-  for (int k = 0; k < 360; ++k) {
-    const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
-    const Local_scale in_a{scenes::real_vertex(random, 2), 0.5}, in_b{scenes::real_vertex(random, 3), 2};
-    const Relative_frame frame(a, in_a, b, in_b), same(a, in_a, b, in_b, -Origin_offset(b, in_b, a, in_a));
-    for (int i = 0; i < 3; ++i) {
-      BOOST_TEST((frame.linear()[i] == same.linear()[i]));
-      BOOST_TEST(std::abs(frame.offset()[i] - same.offset()[i]) <= 2 * frame.error());
-    }
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,37 +1,17 @@
 #include "tetracone/kernel/bound/relative_motion.h"
 
 #include "verify/test/support/placed_boxes.h"
-#include "verify/test/support/rationals.h"
-#include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-#include <vector>
-
-namespace tetracone::kernel {
-
-inline auto stray_bounds() { return TETRACONE_VERSIONS_HERE(stray_bound_simd); }
-inline auto pace_bounds() { return TETRACONE_VERSIONS_HERE(pace_bound_simd); }
-inline auto all_steps_along() { return TETRACONE_VERSIONS_HERE(steps_along_simd); }
-
-}  // namespace tetracone::kernel
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_relative_motion)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::integer;
-using scenes::Placing;
-using scenes::Random;
-using scenes::real;
+using namespace tetracone::verify::scenes;
 
-namespace {
+inline auto stray_bounds() { return TETRACONE_VERSIONS_HERE(stray_bound_simd); }
+inline auto pace_bounds() { return TETRACONE_VERSIONS_HERE(pace_bound_simd); }
+inline auto all_steps_along() { return TETRACONE_VERSIONS_HERE(steps_along_simd); }
 
 Box_corners unit_box() { return Box_corners({0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
 
@@ -52,24 +32,22 @@ Pose turned(const Pose& pose, double angle, const std::array<double, 3>& shift)
 /// sheared, in fractions, and far from the origin.
 std::array<Placing, 2> step(Random& random, int kind)
 {
-  Placing p = scenes::random_placing(random);
+  Placing p = random_placing(random);
   std::swap(p.a, p.b);
-  if (kind % 4 == 1) p.b = scenes::random_affine(random, 2);
-  if (kind % 5 == 1) scenes::move_far(p, 0x1p30);
+  if (kind % 4 == 1) p.b = random_affine(random, 2);
+  if (kind % 5 == 1) move_far(p, 0x1p30);
   Placing q = p;
   const double size = std::ldexp(real(random, -1, 1), -integer(random, 0, 60));
   switch (kind % 6) {
     case 0: q.b = turned(p.b, 0, {size * real(random, -1, 1), size * real(random, -1, 1), size}); break;
     case 1: q.b = turned(p.b, size, {0, 0, 0}); break;
     case 2: q.a = turned(p.a, size, {size, -size, 0}); break;
-    case 3: q.b = scenes::random_rotation(random); break;
-    case 4: break;                                 // at rest
-    default: q.b = scenes::scaled(p.b, 1 + size);  // grows
+    case 3: q.b = random_rotation(random); break;
+    case 4: break;                         // at rest
+    default: q.b = scaled(p.b, 1 + size);  // grows
   }
   return {p, q};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_bound)
 {
@@ -89,9 +67,9 @@ BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_b
     }
     const Course course = is_on_course ? Course(before, Placement(near.map())) : Course();
     const double steps = is_on_course ? integer(random, 0, 4096) * Course::least_step : 0;
-    const std::array<double, 3> centre = scenes::real_vertex(random, 0.4);
+    const std::array<double, 3> centre = real_vertex(random, 0.4);
     std::array<std::array<double, 3>, 3> half_edge;
-    for (auto& edge : half_edge) edge = scenes::real_vertex(random, k % 7 == 0 ? 0 : 0.2);
+    for (auto& edge : half_edge) edge = real_vertex(random, k % 7 == 0 ? 0 : 0.2);
     const Box_corners box(centre, half_edge);
     double farthest = 0, farthest_on_course = 0;
     const auto bounds = stray_bounds();

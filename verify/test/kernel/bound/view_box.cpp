@@ -1,16 +1,11 @@
 #include "tetracone/kernel/bound/view_box.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "verify/test/support/placed_boxes.h"
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_view_box)
 
 using namespace tetracone::kernel;
-
-namespace {
 
 /// A node of one box, turned about z by the angle of 3, 4, 5.
 Obb8 one_box()
@@ -27,28 +22,22 @@ Obb8 one_box()
   return boxes;
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(every_corner_of_a_box_is_within_the_bounds)
 {
+  using namespace tetracone::verify::rationals;
+  namespace scenes = tetracone::verify::scenes;
   const Local_scale units{{1, -2, 3}, 4};
   const std::array<Rational, 12> map = {1, Rational(1, 3), 0, 5, 0, 2, Rational(-1, 7), 0, 1, 1, 3, -1};
   const Obb8 boxes = one_box();
   const View_box seen = Box_view(map, units)(boxes)[0];
   std::array<bool, 5> is_tight{};
   for (int corner = 0; corner < 8; ++corner) {
-    std::array<Rational, 3> x;
-    for (int k = 0; k < 3; ++k) {
-      x[k] = Rational(boxes.origin[k]) + Rational(boxes.centre[k][0]);
-      for (int i = 0; i < 3; ++i)
-        x[k] += ((corner >> i & 1) ? 1 : -1) * Rational(boxes.axis[i][k][0]) * Rational(boxes.extent[i][0]);
-      x[k] = Rational(units.origin[k]) + units.unit * x[k];
-    }
-    std::array<Rational, 5> at;
-    const auto row = [&](int i) -> Rational {
-      return map[4 * i] * x[0] + map[4 * i + 1] * x[1] + map[4 * i + 2] * x[2] + map[4 * i + 3];
-    };
-    at = {row(0), row(1), row(0) + row(1), row(0) - row(1), row(2)};
+    std::array<double, 3> share;
+    for (int i = 0; i < 3; ++i) share[i] = (corner >> i & 1) ? 1 : -1;
+    const auto x = plus(exactly(units.origin), times(units.unit, scenes::point(boxes, 0, share))),
+               seen_at = image(Pose(map), x);
+    const std::array<Rational, 5> at = {seen_at[0], seen_at[1], seen_at[0] + seen_at[1], seen_at[0] - seen_at[1],
+                                        seen_at[2]};
     for (std::size_t k = 0; k < 5; ++k) {
       BOOST_TEST(Rational(seen.low[k]) <= at[k]);
       BOOST_TEST(Rational(seen.high[k]) >= at[k]);

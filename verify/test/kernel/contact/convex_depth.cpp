@@ -2,22 +2,12 @@
 
 #include "tetracone/kernel/contact/rational_map.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_convex_depth)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 /// A bipyramid on the points of a circle about 0, roughly; coordinates are multiples of 1/1024.
 Convex_solid bipyramid(std::uint32_t sides, double radius, double height)
@@ -85,19 +75,17 @@ void check(const Convex_solid& a, const Pose& pose_a, const Convex_solid& b, con
   BOOST_TEST((dot(depth.vector(), depth.vector()) == depth.square()));
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(the_depth_is_the_least_over_all_directions)
 {
-  scenes::Random random(6);
+  Random random(6);
   for (int round = 0; round < 12; ++round) {
-    const Convex_solid a = bipyramid(3 + std::uint32_t(round) % 4, 1, scenes::real(random, 0.5, 2)),
-                       b = bipyramid(7, 1.5, scenes::real(random, 0.5, 2));
-    check(a, scenes::random_rotation(random, 4), b,
-          scenes::random_rotation(random, 4, {Rational(1, 6), Rational(round) / 60, Rational(1, 14)}));
-    std::array<double, 12> sheared = scenes::random_affine(random).entries();
+    const Convex_solid a = bipyramid(3 + std::uint32_t(round) % 4, 1, real(random, 0.5, 2)),
+                       b = bipyramid(7, 1.5, real(random, 0.5, 2));
+    check(a, random_rotation(random, 4), b,
+          random_rotation(random, 4, {Rational(1, 6), Rational(round) / 60, Rational(1, 14)}));
+    std::array<double, 12> sheared = random_affine(random).entries();
     for (const int k : {3, 7, 11}) sheared[std::size_t(k)] = 0.125;
-    check(b, scenes::random_rotation(random, 4), a, Pose(sheared));
+    check(b, random_rotation(random, 4), a, Pose(sheared));
   }
 }
 
@@ -106,8 +94,8 @@ BOOST_AUTO_TEST_CASE(parallel_faces_and_edges_and_many_nearest_planes_are_no_hin
   for (const std::uint32_t sides : {3u, 4u, 6u}) {
     const Convex_solid a = bipyramid(sides, 1, 1);
     check(a, Pose(), a, Pose());
-    check(a, Pose(), a, scenes::translation(0.25, 0, 0));
-    check(a, Pose(), a, scenes::translation(0, 0, 1.5));
+    check(a, Pose(), a, translation(0.25, 0, 0));
+    check(a, Pose(), a, translation(0, 0, 1.5));
   }
 }
 

@@ -2,21 +2,16 @@
 
 #include "tetracone/kernel/contact/rational_face.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_corner_errors)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 
 BOOST_AUTO_TEST_CASE(rounded_numbers_are_off_by_no_more_than_the_bounds)
 {
-  scenes::Random random(4);
+  Random random(4);
   // From no error but the roundings, to one of a share of the edges, far from the origin and near to it.
   for (const double width : {0.0, 0x1p-50, 0x1p-20, 0x1p-3})
     for (const double far : {0.0, 1024.0}) {
@@ -29,10 +24,10 @@ BOOST_AUTO_TEST_CASE(rounded_numbers_are_off_by_no_more_than_the_bounds)
         for (std::size_t corner = 0; corner < exact.size(); ++corner) {
           Number_point<Interval> about;
           for (std::size_t k = 0; k < 3; ++k) {
-            const double x = far + scenes::real(random, -1, 1);
+            const double x = far + real(random, -1, 1);
             about[k] = Interval(x - width, x + width);
             // A corner is at an end of its enclosure, as far off as can be.
-            exact[corner][k] = scenes::integer(random, 0, 1) ? about[k].inf() : about[k].sup();
+            exact[corner][k] = integer(random, 0, 1) ? about[k].inf() : about[k].sup();
           }
           rounded[corner] = errors.rounded(about);
         }

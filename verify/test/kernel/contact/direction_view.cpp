@@ -1,40 +1,29 @@
 #include "tetracone/kernel/contact/direction_view.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_direction_view)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 Rational_point seen(const Direction_view& view, const Pose& pose, const Rational_point& x)
 {
-  const auto m = view.of(pose);
-  Rational_point y;
-  for (int i = 0; i < 3; ++i) y[i] = m[4 * i] * x[0] + m[4 * i + 1] * x[1] + m[4 * i + 2] * x[2] + m[4 * i + 3];
-  return y;
+  return tetracone::verify::rationals::image(Pose(view.of(pose)), x);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_step_along_the_direction_changes_the_height_alone)
 {
-  scenes::Random random(1);
+  Random random(1);
   for (int round = 0; round < 30; ++round) {
     Rational_point d;
     do
-      for (Rational& x : d) x = Rational(scenes::integer(random, -3, 3), 1 + round % 3);
+      for (Rational& x : d) x = Rational(integer(random, -3, 3), 1 + round % 3);
     while (is_zero(d));
     for (Rational& x : d) x.canonicalize();
     const Direction_view view(d);
-    const Pose pose = scenes::random_affine(random);
+    const Pose pose = random_affine(random);
     const Rational_point x = {1, Rational(2, 3), -5}, before = seen(view, pose, x);
     const auto [moved, unmoved] = moved_along(pose, pose, d, Rational(7, 2));
     BOOST_TEST((unmoved == pose));

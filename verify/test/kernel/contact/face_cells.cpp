@@ -1,14 +1,10 @@
 #include "tetracone/kernel/contact/face_cells.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_face_cells)
 
 using namespace tetracone::kernel;
-
-namespace {
 
 Rational_point at(int x, int y) { return {x, y, 0}; }
 
@@ -27,8 +23,6 @@ Rational area(const Face_cells& cells, const std::vector<int>& weights)
       weights, [&](const Rational_point& p, const Rational_point& q, int weight) { twice += weight * cross(p, q)[2]; });
   return twice / 2;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(cells_make_up_the_face_and_no_cut_meets_their_insides)
 {

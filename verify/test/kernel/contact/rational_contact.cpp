@@ -3,20 +3,11 @@
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <random>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_rational_contact)
 
 using namespace tetracone::kernel;
-
-namespace {
 
 using Triangle_vertices = std::array<Vertex, 3>;
 using Points = std::vector<Rational_point>;
@@ -77,8 +68,6 @@ std::vector<Points> sides_of(const Points& loop)
   std::sort(sides.begin(), sides.end());
   return sides;
 }
-
-}  // namespace
 
 // Triangles of a grid of 4 x 4 x 4 points, so that most meetings are degenerate: those by signs against those by
 // rational constructions, which share nothing.

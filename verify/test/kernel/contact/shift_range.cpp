@@ -2,20 +2,13 @@
 
 #include "tetracone/kernel/contact/rational_contact.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_shift_range)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::verify::scenes;
 using Exact_piece = Convex_piece<Rational>;
-
-namespace {
 
 Exact_piece piece(const std::vector<Rational_point>& corners, const Rational& rise = 0)
 {
@@ -40,12 +33,12 @@ Convex_piece<Interval> about(const Exact_piece& exact, double width)
   return result;
 }
 
-std::vector<Rational_point> any_triangle(scenes::Random& random)
+std::vector<Rational_point> any_triangle(Random& random)
 {
   for (;;) {
     std::vector<Rational_point> t(3);
     for (Rational_point& x : t)
-      for (Rational& coordinate : x) coordinate = scenes::integer(random, -3, 3);
+      for (Rational& coordinate : x) coordinate = integer(random, -3, 3);
     if (!is_zero(cross(difference(t[1], t[0]), difference(t[2], t[0])))) return t;
   }
 }
@@ -60,11 +53,9 @@ Rational_face face(const Exact_piece& p)
 /// The number of points and pieces that two faces share.
 bool share(const Exact_piece& p, const Exact_piece& q) { return !face_contact(face(p), face(q)).empty(); }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(triangles_meet_at_both_ends_and_between_them_and_not_beyond)
 {
-  scenes::Random random(2);
+  Random random(2);
   int ranges = 0, flat = 0;
   for (int round = 0; round < 1500; ++round) {
     const auto p = any_triangle(random), q = any_triangle(random);
@@ -104,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_pair_is_empty_where_the_seen_pieces_share_no_area)
 
 BOOST_AUTO_TEST_CASE(enclosed_and_rounded_pieces_bound_the_exact_ends)
 {
-  scenes::Random random(3);
+  Random random(3);
   int certain = 0, empty = 0, told_by_rounded = 0;
   for (int round = 0; round < 1500; ++round) {
     const Exact_piece a = piece(any_triangle(random)), b = piece(any_triangle(random));

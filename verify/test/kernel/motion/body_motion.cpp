@@ -1,17 +1,14 @@
 #include "tetracone/kernel/motion/body_motion.h"
 
 #include "verify/cases/random.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_body_motion)
 
 using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
 using tetracone::verify::Random;
-
-namespace {
 
 Rational part(int n, int d) { return Rational(n) / d; }
 
@@ -32,8 +29,6 @@ Rational value(const Integer_form& form, const Rational& time)
   }
   return sum;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_linear_motion_is_between_its_poses)
 {
@@ -57,23 +52,16 @@ BOOST_AUTO_TEST_CASE(a_rigid_motion_is_a_rotation_at_every_time)
     const Body_motion motion = Body_motion::rigid(from, to).value();
     for (const Rational& time : {part(0, 1), part(1, 1), part(2, 7)}) {
       const Pose pose = motion.at(time);
-      for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-          Rational dot = 0;
-          for (int c = 0; c < 3; ++c) dot += pose.exact(4 * i + c) * pose.exact(4 * j + c);
-          BOOST_TEST(dot == (i == j ? 1 : 0));
-        }
-        BOOST_TEST(pose.exact(4 * i + 3) ==
-                   Rational(from.translation[i] + time * (to.translation[i] - from.translation[i])));
-      }
+      BOOST_TEST(rationals::is_orthonormal(pose));
+      const auto between = [&](const Rational& start, const Rational& end) {
+        return Rational(start + time * (end - start));
+      };
+      for (int i = 0; i < 3; ++i) BOOST_TEST(pose.exact(4 * i + 3) == between(from.translation[i], to.translation[i]));
       BOOST_TEST(pose.determinant_sign() == CGAL::POSITIVE);
       // The axis (x, y, z) of q(t) stays where it is.
-      std::array<Rational, 3> axis;
-      for (int i = 0; i < 3; ++i)
-        axis[i] = from.quaternion[1 + i] + time * (to.quaternion[1 + i] - from.quaternion[1 + i]);
-      for (int i = 0; i < 3; ++i)
-        BOOST_TEST(axis[i] == Rational(pose.exact(4 * i) * axis[0] + pose.exact(4 * i + 1) * axis[1] +
-                                       pose.exact(4 * i + 2) * axis[2]));
+      rationals::Vector axis;
+      for (int i = 0; i < 3; ++i) axis[i] = between(from.quaternion[1 + i], to.quaternion[1 + i]);
+      BOOST_TEST((rationals::turned(pose, axis) == axis));
     }
   }
 }
@@ -106,12 +94,9 @@ BOOST_AUTO_TEST_CASE(common_forms_are_of_the_least_degree_and_place_points)
   const Vertex v = {0.375, -2, 1024.5};
   const Form_vector image = pair.image(1, v, Pair_motion::exponent_of(v));
   const Rational time = part(3, 11), scale = part(8, 1);
-  const Pose pose = other.at(time);
-  for (int i = 0; i < 3; ++i) {
-    Rational placed = pose.exact(4 * i + 3);
-    for (int j = 0; j < 3; ++j) placed += pose.exact(4 * i + j) * Rational(v[j]);
-    BOOST_TEST(value(image[i], time) == Rational(placed * value(pair.divisor(), time) * scale));
-  }
+  const rationals::Vector placed = rationals::image(other.at(time), rationals::exactly(v));
+  for (int i = 0; i < 3; ++i)
+    BOOST_TEST(value(image[i], time) == Rational(placed[i] * value(pair.divisor(), time) * scale));
 }
 
 BOOST_AUTO_TEST_CASE(volumes_of_rigid_pairs_have_the_square_of_the_divisor)

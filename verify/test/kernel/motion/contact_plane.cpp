@@ -1,15 +1,10 @@
 #include "tetracone/kernel/motion/contact_plane.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <optional>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_contact_plane)
 
 using namespace tetracone::kernel;
-
-namespace {
 
 Body_motion shift(const Vertex& from, const Vertex& to)
 {
@@ -30,6 +25,17 @@ std::optional<Time_root> first_contact(const Pair_motion& motion, Moving_kind ki
   }
   return Exact_motion(kind, points, motion.square()).first_contact();
 }
+
+/// The plane of a first contact, from the start until then.
+struct Landing {
+  Time_root time;
+  Times_before times{{0, 0}, time};
+  Contact_plane plane;
+
+  Landing(const Pair_motion& motion, Moving_kind kind, int body, const std::array<Vertex, 4>& corner)
+      : time(first_contact(motion, kind, body, corner).value()), plane(times.over(motion), times, kind, body, corner)
+  {}
+};
 
 /// A's points are at most at height 0, B's above it, until B's plane z = 0 comes to A's.
 void check_sides(Contact_plane& plane)
@@ -54,20 +60,15 @@ void check_sides(Contact_plane& plane)
   BOOST_TEST(!plane.holds(0, box(0.5)));
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(a_plane_parts_what_lands_together_at_a_dyadic_time_and_at_a_third)
 {
   for (const double down : {-1.0, -2.0})
     for (const Moving_kind kind : {Moving_kind::vertex_face, Moving_kind::edge_edge}) {
       const Pair_motion motion(rests, shift({0, 0, 1}, {0, 0, down}));
       const auto& corner = kind == Moving_kind::vertex_face ? on_face : on_edge;
-      std::optional<Time_root> time = first_contact(motion, kind, 1, corner);
-      BOOST_REQUIRE(time.has_value());
-      Times_before times({0, 0}, *time);
-      BOOST_TEST(time->is_dyadic() == (down == -1));
-      Contact_plane plane(times.over(motion), times, kind, 1, corner);
-      check_sides(plane);
+      Landing landing(motion, kind, 1, corner);
+      BOOST_TEST(landing.time.is_dyadic() == (down == -1));
+      check_sides(landing.plane);
     }
 }
 
@@ -78,11 +79,8 @@ BOOST_AUTO_TEST_CASE(a_plane_parts_what_lands_together_after_a_turn)
   const Body_motion turns = Body_motion::rigid({{1, 0, 0, 0}, {0, 0, 1}}, {{1, 0, 0, 1}, {0, 0, Rational(-2)}}).value();
   const Pair_motion motion(still, turns);
   const std::array<Vertex, 4> corner = {{{0, 0, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
-  std::optional<Time_root> time = first_contact(motion, Moving_kind::vertex_face, 1, corner);
-  BOOST_REQUIRE(time.has_value());
-  Times_before times({0, 0}, *time);
-  Contact_plane plane(times.over(motion), times, Moving_kind::vertex_face, 1, corner);
-  check_sides(plane);
+  Landing landing(motion, Moving_kind::vertex_face, 1, corner);
+  check_sides(landing.plane);
 }
 
 BOOST_AUTO_TEST_CASE(a_vertex_that_leaves_the_plane_is_held_by_the_closed_side_alone)
@@ -90,22 +88,16 @@ BOOST_AUTO_TEST_CASE(a_vertex_that_leaves_the_plane_is_held_by_the_closed_side_a
   // B is sheared as it comes down: its points at x = 1, z = -1 are on A's plane at the start, and above it later on.
   const Pose above = Pose::translation(0, 0, 1), sheared(std::array<double, 12>{1, 0, 0, 0, 0, 1, 0, 0, 3, 0, 1, -1});
   const Pair_motion motion(rests, Body_motion::linear(above, sheared));
-  std::optional<Time_root> time = first_contact(motion, Moving_kind::vertex_face, 1, on_face);
-  BOOST_REQUIRE(time.has_value());
-  Times_before times({0, 0}, *time);
-  Contact_plane plane(times.over(motion), times, Moving_kind::vertex_face, 1, on_face);
-  BOOST_REQUIRE(plane.is_defined());
-  BOOST_TEST(!plane.holds(1, {1, 0, -1}));
-  BOOST_TEST(plane.holds(1, {1, 0, -0.75}));
+  Landing landing(motion, Moving_kind::vertex_face, 1, on_face);
+  BOOST_REQUIRE(landing.plane.is_defined());
+  BOOST_TEST(!landing.plane.holds(1, {1, 0, -1}));
+  BOOST_TEST(landing.plane.holds(1, {1, 0, -0.75}));
   // A's triangle in B's place: B's side is the closed one.
   const Pair_motion turned(Body_motion::linear(above, sheared), rests);
-  time = first_contact(turned, Moving_kind::vertex_face, 0, on_face);
-  BOOST_REQUIRE(time.has_value());
-  Times_before until({0, 0}, *time);
-  Contact_plane other(until.over(turned), until, Moving_kind::vertex_face, 0, on_face);
-  BOOST_REQUIRE(other.is_defined());
-  BOOST_TEST(!other.holds(0, {1, 0, -1}));
-  BOOST_TEST(other.holds(1, {1, 0, 0}));
+  Landing other(turned, Moving_kind::vertex_face, 0, on_face);
+  BOOST_REQUIRE(other.plane.is_defined());
+  BOOST_TEST(!other.plane.holds(0, {1, 0, -1}));
+  BOOST_TEST(other.plane.holds(1, {1, 0, 0}));
 }
 
 BOOST_AUTO_TEST_CASE(parallel_edges_and_vertices_that_stay_in_the_plane_have_none)

@@ -2,20 +2,13 @@
 
 #include "verify/cases/random.h"
 #include "verify/test/support/rationals.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <optional>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_control_poses)
 
 using namespace tetracone::kernel;
 using tetracone::verify::Random;
 namespace rationals = tetracone::verify::rationals;
-
-namespace {
 
 Rational part(int n, int d) { return Rational(n) / d; }
 
@@ -32,8 +25,6 @@ Body_motion any_turn(Random& random)
   to.quaternion[1] += part(1, kind == 2 ? 50 : 7);
   return Body_motion::rigid(from, to).value();
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(a_point_stays_in_the_hull_of_its_images)
 {

@@ -1,17 +1,11 @@
 #include "tetracone/kernel/motion/first_contact.h"
 
 #include "tetracone/kernel/number/number.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <string>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_first_contact)
 
 using namespace tetracone::kernel;
-
-namespace {
 
 constexpr Moving_point still(Vertex v) { return {v, v}; }
 
@@ -38,8 +32,6 @@ std::string first(const Moving_pair& pair)
   return shortest(time->lo) + " " + shortest(time->hi);
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(a_vertex_falls_through_a_face_its_edge_its_corner_or_past_it)
 {
   BOOST_TEST(first(onto_face({0.25, 0.25, 1}, {0.25, 0.25, -1})) == "0.5");
@@ -49,11 +41,16 @@ BOOST_AUTO_TEST_CASE(a_vertex_falls_through_a_face_its_edge_its_corner_or_past_i
   BOOST_TEST(first(onto_face({-0x1p-1074, 0.5, 1}, {-0x1p-1074, 0.5, -1})) == "-");
 }
 
-BOOST_AUTO_TEST_CASE(a_time_that_is_no_double_has_its_neighbours)
+BOOST_AUTO_TEST_CASE(times_that_are_no_doubles_have_their_neighbours_and_tiny_ones_are_doubles)
 {
   const double third = 1.0 / 3;  // below 1/3
   BOOST_TEST(first(onto_face({0.25, 0.25, 1}, {0.25, 0.25, -2})) ==
              shortest(third) + " " + shortest(std::nextafter(third, 1)));
+  // z = s 2^-1000 - t: t is 2^-1000 / (1 + 2^-1000).
+  const auto time = first_contact_time(onto_face({0.25, 0.25, 0x1p-1000}, {0.25, 0.25, -1}));
+  BOOST_REQUIRE(time.has_value());
+  BOOST_TEST(time->hi == 0x1p-1000);
+  BOOST_TEST(time->lo == std::nextafter(0x1p-1000, 0));
 }
 
 BOOST_AUTO_TEST_CASE(contact_at_the_start_alone_and_at_the_end_alone)
@@ -97,15 +94,6 @@ BOOST_AUTO_TEST_CASE(parallel_edges)
   // On one line, end to end at 1/2.
   BOOST_TEST(first(edges(left, right, {{3, 0, 0}, {-1, 0, 0}}, {{4, 0, 0}, {0, 0, 0}})) == "0.5");
   BOOST_TEST(first(edges(left, right, {{3, 0, 0}, {2, 0, 0}}, {{4, 0, 0}, {3, 0, 0}})) == "-");
-}
-
-BOOST_AUTO_TEST_CASE(tiny_times_are_doubles_too)
-{
-  // z = s 2^-1000 - t: t is 2^-1000 / (1 + 2^-1000).
-  const auto time = first_contact_time(onto_face({0.25, 0.25, 0x1p-1000}, {0.25, 0.25, -1}));
-  BOOST_REQUIRE(time.has_value());
-  BOOST_TEST(time->hi == 0x1p-1000);
-  BOOST_TEST(time->lo == std::nextafter(0x1p-1000, 0));
 }
 
 BOOST_AUTO_TEST_CASE(rounded_integer_forms_decide_what_differences_in_doubles_cannot)

@@ -1,17 +1,12 @@
 #include "tetracone/kernel/motion/integer_form.h"
 
 #include "verify/test/support/integer_forms.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_integer_form)
 
 using namespace tetracone::kernel;
 using tetracone::verify::form;
-
-namespace {
 
 bool same(const Integer_form& f, const Integer_form& g)
 {
@@ -20,9 +15,7 @@ bool same(const Integer_form& f, const Integer_form& g)
   return equal;
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(halves_are_the_form_over_halves_of_the_time)
+BOOST_AUTO_TEST_CASE(parts_and_halves_are_the_form_over_parts_of_the_time)
 {
   const Integer_form f = form<4>({3, -7, 5, 2}), first = f.first_half(), second = f.second_half();
   for (int k = 0; k <= 4; ++k) {
@@ -33,6 +26,9 @@ BOOST_AUTO_TEST_CASE(halves_are_the_form_over_halves_of_the_time)
   BOOST_TEST(same(f.over(2, 2), f.second_half().first_half()));
   BOOST_TEST(same(f.over(1, 2), f.first_half().second_half()));
   BOOST_TEST(same(f.over(0, 0), f));
+  const Integer_form part = f.between(1, 7, 3);
+  // At quarter k of the part: t = (4 + 6 k) / 32, the form times 8^3 at s + t = 4.
+  for (int k = 0; k <= 4; ++k) BOOST_TEST(part.at(4 - k, k) == f.at(28 - 6 * k, 4 + 6 * k));
 }
 
 BOOST_AUTO_TEST_CASE(variations_are_changes_of_sign)
@@ -74,13 +70,6 @@ BOOST_AUTO_TEST_CASE(a_quotient_is_found_where_the_form_is_a_divisor)
   BOOST_TEST(!exact_quotient(form<3>({-3, 6, 2}), divisor));
   BOOST_TEST(!exact_quotient(form<3>({-2, 5, 2}), divisor));
   BOOST_TEST(!exact_quotient(form<1>({2}), divisor));
-}
-
-BOOST_AUTO_TEST_CASE(a_part_of_the_time_may_begin_and_end_at_any_dyadic_times)
-{
-  const Integer_form f = form<4>({3, -7, 5, 2}), part = f.between(1, 7, 3);
-  // At quarter k of the part: t = (4 + 6 k) / 32, the form times 8^3 at s + t = 4.
-  for (int k = 0; k <= 4; ++k) BOOST_TEST(part.at(4 - k, k) == f.at(28 - 6 * k, 4 + 6 * k));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,21 +2,12 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/random.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_motion_filter)
 
 using namespace tetracone::kernel;
 using tetracone::verify::Random;
-
-namespace {
 
 /// The form over a span of time, in rationals, of the coefficients in doubles that `motion_filter` keeps.
 template <std::size_t N>
@@ -85,8 +76,6 @@ Moving_pair falling(double x, double y)
   return {Moving_kind::vertex_face,
           {{{{x, y, 1}, {x, y, -1}}, {{0, 0, 0}, {0, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}, {{0, 1, 0}, {0, 1, 0}}}}};
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(errors_stay_within_their_bounds_after_all_halvings)
 {

@@ -1,17 +1,10 @@
 #include "tetracone/kernel/motion/rotation_quaternion.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_rotation_quaternion)
 
 using namespace tetracone::kernel;
-
-namespace {
 
 /// The pose of a quaternion, exactly.
 Pose pose_of(const std::array<Rational, 4>& q) { return Body_motion::rigid({q, {}}, {q, {}})->at(0); }
@@ -22,8 +15,6 @@ double length(const std::array<Rational, 4>& q)
   for (const Rational& x : q) square += x.get_d() * x.get_d();
   return std::sqrt(square);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_exact_rotation_has_an_exact_quaternion_whatever_its_angle)
 {

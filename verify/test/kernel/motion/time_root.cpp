@@ -1,26 +1,15 @@
 #include "tetracone/kernel/motion/time_root.h"
 
 #include "verify/test/support/integer_forms.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_time_root)
 
 using namespace tetracone::kernel;
 using tetracone::verify::form;
 
-namespace {
-
 /// The linear form that is n t - m up to a positive factor: zero at m/n.
 Integer_form fraction(int m, int n) { return form<2>({-m, n - m}); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(roots_are_isolated_in_order)
 {

@@ -1,19 +1,12 @@
 #include "tetracone/kernel/motion/times_before.h"
 
 #include "verify/test/support/integer_forms.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_times_before)
 
 using namespace tetracone::kernel;
 using tetracone::verify::form;
-
-namespace {
 
 /// The linear form that is n t - m: zero at m/n.
 Integer_form zero_at(const Integer& m, const Integer& n) { return Integer_form(std::array<Integer, 2>{-m, n - m}); }
@@ -26,8 +19,6 @@ CGAL::Sign sign_after_start(Times_before& times, const Integer_form& f)
 
 // In v: v^2 - 2, whose root is t = 0.5857...
 const Integer_form irrational = form<3>({-2, 0, 1});
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(forms_that_vanish_at_a_dyadic_time_have_their_sign_before)
 {

@@ -3,22 +3,12 @@
 #include "tetracone/kernel/number/nearest_root.h"
 #include "tetracone/kernel/number/number.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_double_double_ball)
 
 using namespace tetracone::kernel;
-using tetracone::verify::scenes::Random;
-using tetracone::verify::scenes::real;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 using Ball = Double_double_ball;
 
@@ -39,8 +29,6 @@ Held any(Random& random, int exponent)
   held.number = exact(held.ball.middle) + Rational(held.ball.radius) * Rational(int(random() % 3) - 1);
   return held;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sums_and_products_hold_those_of_what_balls_hold)
 {

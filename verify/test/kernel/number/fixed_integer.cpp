@@ -1,23 +1,12 @@
 #include "tetracone/kernel/number/fixed_integer.h"
 
 #include "tetracone/kernel/number/number.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <random>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_fixed_integer)
 
 using namespace tetracone::kernel;
 using Random = std::mt19937_64;
-
-namespace {
 
 template <int limbs>
 mpz_class exactly(const Fixed_integer<limbs>& x)
@@ -78,8 +67,6 @@ int wrong_sums(Random& random)
   }
   return wrong;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(products_of_any_digits_are_those_of_whole_numbers)
 {

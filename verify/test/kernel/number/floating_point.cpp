@@ -1,23 +1,12 @@
 #include "tetracone/kernel/number/floating_point.h"
 
-#include <boost/test/unit_test.hpp>
-
 #include "verify/test/support/keep_environment.h"
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <thread>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_floating_point)
 
-using tetracone::kernel::floating_point_is_sound;
-using tetracone::kernel::maximum;
-using tetracone::kernel::minimum;
-using tetracone::kernel::unit_roundoff;
-using tetracone::verify::Keep_environment;
-
-namespace {
+using namespace tetracone::kernel;
+using namespace tetracone::verify;
 
 bool is_sound_in_a_new_thread()
 {
@@ -26,40 +15,14 @@ bool is_sound_in_a_new_thread()
   return sound;
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(floating_point_is_sound_by_default)
+BOOST_AUTO_TEST_CASE(an_environment_that_is_not_sound_is_noticed_and_inherited_by_threads)
 {
+  int missed = 0;
+  in_unsound_environments([&] { missed += int(floating_point_is_sound()) + int(is_sound_in_a_new_thread()); });
+  BOOST_TEST(missed == 0);
   BOOST_TEST(floating_point_is_sound());
   BOOST_TEST(is_sound_in_a_new_thread());
 }
-
-BOOST_AUTO_TEST_CASE(each_directed_rounding_is_noticed_and_inherited_by_threads)
-{
-  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-    const Keep_environment keep;
-    BOOST_REQUIRE(std::fesetround(mode) == 0);
-    const bool here = floating_point_is_sound(), there = is_sound_in_a_new_thread();
-    std::fesetround(FE_TONEAREST);  // Boost.Test prints numbers
-    BOOST_TEST(!here);
-    BOOST_TEST(!there);
-  }
-  BOOST_TEST(floating_point_is_sound());
-}
-
-#if defined(__SSE2__)
-BOOST_AUTO_TEST_CASE(flush_to_zero_and_denormals_are_zero_are_noticed_and_inherited_by_threads)
-{
-  for (const unsigned bits : {0x8000u, 0x0040u, 0x8040u}) {
-    const Keep_environment keep;
-    _mm_setcsr(_mm_getcsr() | bits);
-    const bool here = floating_point_is_sound(), there = is_sound_in_a_new_thread();
-    BOOST_TEST(!here);
-    BOOST_TEST(!there);
-  }
-  BOOST_TEST(floating_point_is_sound());
-}
-#endif
 
 BOOST_AUTO_TEST_CASE(a_change_in_one_thread_is_no_change_in_another)
 {
@@ -69,11 +32,9 @@ BOOST_AUTO_TEST_CASE(a_change_in_one_thread_is_no_change_in_another)
 
 BOOST_AUTO_TEST_CASE(what_decides_exactly_refuses_an_environment_that_is_not_sound)
 {
-  using tetracone::kernel::require_exact_arithmetic, tetracone::kernel::require_sound_floating_point;
   BOOST_CHECK_NO_THROW(require_exact_arithmetic());
-  using tetracone::kernel::Unsound_floating_point;
-  BOOST_TEST(tetracone::verify::not_refused<Unsound_floating_point>([] { require_sound_floating_point(); }) == 0);
-  BOOST_TEST(tetracone::verify::not_refused<Unsound_floating_point>([] { require_exact_arithmetic(); }) == 0);
+  BOOST_TEST(not_refused<Unsound_floating_point>([] { require_sound_floating_point(); }) == 0);
+  BOOST_TEST(not_refused<Unsound_floating_point>([] { require_exact_arithmetic(); }) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(the_largest_and_the_least_keep_nan_in_any_place_and_order)

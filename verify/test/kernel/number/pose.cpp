@@ -1,13 +1,12 @@
 #include "tetracone/kernel/number/pose.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_pose)
 
 using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
 
 BOOST_AUTO_TEST_CASE(identity_moves_nothing)
 {
@@ -22,33 +21,25 @@ BOOST_AUTO_TEST_CASE(identity_moves_nothing)
   }
 }
 
-BOOST_AUTO_TEST_CASE(eigen_round_trip_keeps_every_entry)
+BOOST_AUTO_TEST_CASE(an_eigen_round_trip_keeps_every_entry_and_rationals_that_are_doubles_make_the_double_pose)
 {
   std::array<double, 12> entries;
-  for (int k = 0; k < 12; ++k) entries[k] = 1.0 / (k + 3);
-  const Pose pose(entries);
-  BOOST_TEST((Pose::from_eigen(pose.to_eigen()) == pose));
+  std::array<Rational, 12> eighths;
+  for (int k = 0; k < 12; ++k) {
+    entries[k] = 1.0 / (k + 3);
+    eighths[k] = Rational(k) / 8;
+  }
+  BOOST_TEST((Pose::from_eigen(Pose(entries).to_eigen()) == Pose(entries)));
+  BOOST_TEST(!Pose(eighths).is_rational());
 }
 
 BOOST_AUTO_TEST_CASE(quaternion_rotation_is_exactly_orthonormal)
 {
   const Pose pose = Pose::from_quaternion(1, 2, -3, 4, {Rational(1) / 3, 0, 7});
   BOOST_TEST(pose.is_rational());
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      Rational dot = 0;
-      for (int k = 0; k < 3; ++k) dot += pose.exact(4 * i + k) * pose.exact(4 * j + k);
-      BOOST_TEST((dot == (i == j ? 1 : 0)));
-    }
+  BOOST_TEST(rationals::is_orthonormal(pose));
   BOOST_TEST(pose.determinant_sign() == CGAL::POSITIVE);
   BOOST_TEST(pose[3] == 1.0 / 3);
-}
-
-BOOST_AUTO_TEST_CASE(rational_entries_that_are_doubles_are_the_double_pose)
-{
-  std::array<Rational, 12> entries;
-  for (int k = 0; k < 12; ++k) entries[k] = Rational(k) / 8;
-  BOOST_TEST(!Pose(entries).is_rational());
 }
 
 BOOST_AUTO_TEST_CASE(determinant_sign_is_exact_where_double_is_not)
@@ -77,16 +68,8 @@ BOOST_AUTO_TEST_CASE(determinant_sign_is_exact_where_products_underflow)
       const int exponent = sample % 2 == 0 ? int(bits() % 2000) - 1000 : int(bits() % 8) - 4;
       m[k] = bits() % 4 == 0 ? 0.0 : std::ldexp(bits() % 2 == 0 ? 1.0 : -1.5, exponent);
     }
-    Rational exact = 0;
-    for (int j = 0; j < 3; ++j)
-      for (const int turn : {1, 2}) {
-        const int k = (j + turn) % 3, l = (j + 2 * turn) % 3;
-        const Rational product = Rational(m[j]) * Rational(m[4 + k]) * Rational(m[8 + l]);
-        if (turn == 1)
-          exact += product;
-        else
-          exact -= product;
-      }
+    const auto row = [&](int i) { return rationals::exactly({m[4 * i], m[4 * i + 1], m[4 * i + 2]}); };
+    const Rational exact = rationals::determinant(row(0), row(1), row(2));
     BOOST_REQUIRE(Pose(m).determinant_sign() == CGAL::sign(exact));
   }
 }

@@ -1,39 +1,30 @@
 #include "tetracone/kernel/number/volume.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_volume)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 Rational exact_determinant(const Vertex& o, const Vertex& a, const Vertex& b, const Vertex& c)
 {
-  using namespace rationals;
-  return determinant(minus(exactly(a), exactly(o)), minus(exactly(b), exactly(o)), minus(exactly(c), exactly(o)));
+  using rationals::exactly;
+  return rationals::six_volume(exactly(o), exactly(a), exactly(b), exactly(c));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(sums_are_exact_at_every_scale_and_mixture_of_scales)
 {
-  scenes::Random random(1);
+  Random random(1);
   Volume_sum sum;
   Rational truth = 0;
   int wrong = 0;
   for (int n = 0; n < 300; ++n) {
     std::array<Vertex, 4> v;
     for (Vertex& p : v) {
-      p = scenes::real_vertex(random, 1);
-      for (double& x : p) x = std::ldexp(x, n < 100 ? 0 : scenes::integer(random, -1074, 1023));
+      p = real_vertex(random, 1);
+      for (double& x : p) x = std::ldexp(x, n < 100 ? 0 : integer(random, -1074, 1023));
     }
     if (n % 7 == 0) v[3] = v[2];
     sum.add(v[0], v[1], v[2], v[3]);

@@ -4,21 +4,12 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/face_distance.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_enclosed_distance)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
-using scenes::Random;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 /// The corners of a feature, and their images over both kinds of numbers.
 struct Feature_pair {
@@ -48,11 +39,9 @@ Rational rational(const Exact_number& x) { return Rational(x); }
 Pose turned(Random& random, double size)
 {
   std::array<double, 12> m;
-  for (double& x : m) x = scenes::real(random, -size, size);
+  for (double& x : m) x = real(random, -size, size);
   return Pose(m);
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_enclosed_distance_is_the_exact_one_rounded_once)
 {
@@ -63,7 +52,7 @@ BOOST_AUTO_TEST_CASE(an_enclosed_distance_is_the_exact_one_rounded_once)
     const double size = k % 5 == 0 ? 0x1p-40 : 1;
     const auto feature = [&](int count, double offset) {
       std::vector<Vertex> corners;
-      for (int i = 0; i < count; ++i) corners.push_back(scenes::real_vertex(random, size));
+      for (int i = 0; i < count; ++i) corners.push_back(real_vertex(random, size));
       if (count == 3) corners = {{-9 * size, -8 * size, 0}, {9 * size, -7 * size, 0}, {0, 8 * size, size}};
       for (Vertex& v : corners) v[2] += offset;
       return corners;

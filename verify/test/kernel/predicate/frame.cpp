@@ -1,28 +1,17 @@
 #include "tetracone/kernel/predicate/frame.h"
 
 #include "verify/test/support/kernel_test_case.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <tuple>
-#include <type_traits>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_frame)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-using scenes::Random;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 using Kernels = std::tuple<Float, Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
 using Wide_kernels = std::tuple<Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
-using Exact_motions = std::tuple<Epeck, Rational_kernel, Adaptive>;
-using Rounded_motions = std::tuple<Double, Tolerant, Epick>;
+using Rounded_motions = std::tuple<Float, Double, Tolerant, Epick>;
 
 template <class K>
 std::array<Rational, 3> exactly(const Point<K>& p)
@@ -45,15 +34,13 @@ rationals::Vector exact_image(const Pose& pose, const Vertex& v)
 Pose any_doubles(Random& random)
 {
   std::array<double, 12> entries;
-  for (double& e : entries) e = scenes::real(random, -10, 10);
+  for (double& e : entries) e = real(random, -10, 10);
   return Pose(entries);
 }
 Pose fractions(Random& random)
 {
-  return scenes::random_rotation(random, 4, {Rational(scenes::integer(random, -4, 4)) / 7, 1, Rational(0.1)});
+  return random_rotation(random, 4, {Rational(integer(random, -4, 4)) / 7, 1, Rational(0.1)});
 }
-
-}  // namespace
 
 KERNEL_TEST_CASE(a_vertex_is_taken_exactly, K, Wide_kernels)
 {
@@ -82,71 +69,23 @@ KERNEL_TEST_CASE(the_identity_returns_every_point_unchanged, K, Kernels)
   BOOST_TEST(!Frame<K>(Pose(std::array<double, 12>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1})).is_identity());
 }
 
-KERNEL_TEST_CASE(integer_poses_are_exact_in_every_kernel, K, Kernels)
-{
-  Random random(1);
-  for (int n = 0; n < 500; ++n) {
-    const Pose pose = scenes::random_affine(random, 4);
-    const Vertex v = scenes::grid_vertex(random, 4);
-    BOOST_TEST((exactly<K>(Frame<K>(pose)(point<K>(v))) == exact_image(pose, v)));
-  }
-}
-
-KERNEL_TEST_CASE(exact_motion_decides_by_the_exact_image, K, Exact_motions)
-{
-  Random random(2);
-  for (int n = 0; n < 600; ++n) {
-    const Pose pose = n % 2 == 0 ? any_doubles(random) : fractions(random);
-    const Frame<K> frame(pose);
-    const Vertex v = scenes::real_vertex(random, 10);
-    const auto image = exact_image(pose, v);
-    const auto placed = frame(point<K>(v));
-    if constexpr (std::is_same_v<K, Adaptive>) {
-      for (int i = 0; i < 3; ++i)
-        BOOST_TEST((abs(Rational(Rational(placed.image[i]) - image[i])) <= Rational(placed.error)));
-    } else {
-      BOOST_TEST((exactly<K>(placed) == image));
-    }
-    // An unmoved point one coordinate of which is the nearest double: the difference is the rounding, or nothing.
-    for (int axis = 0; axis < 3; ++axis) {
-      Vertex near{};
-      near[axis] = nearest_double(image[axis]);
-      BOOST_TEST(difference_sign<K>(placed, point<K>(near), axis) ==
-                 CGAL::sign(Rational(image[axis] - Rational(near[axis]))));
-    }
-  }
-}
-
-KERNEL_TEST_CASE(rounded_motion_is_the_double_expression, K, Rounded_motions)
+KERNEL_TEST_CASE(rounded_motion_is_the_expression_in_its_own_numbers, K, Rounded_motions)
 {
   Random random(3);
   int inexact = 0;
   for (int n = 0; n < 1'000; ++n) {
     const Pose pose = n % 2 == 0 ? any_doubles(random) : fractions(random);
-    const Vertex v = scenes::real_vertex(random, 10);
+    const Vertex v = real_vertex(random, 10);
     const auto placed = Frame<K>(pose)(point<K>(v));
+    using Number = std::remove_cvref_t<decltype(placed[0])>;
     for (int i = 0; i < 3; ++i) {
-      const double expected =
-          ((pose[4 * i] * v[0] + pose[4 * i + 1] * v[1]) + pose[4 * i + 2] * v[2]) + pose[4 * i + 3];
+      const auto m = [&](int k) { return Number(pose[4 * i + k]); };
+      const Number expected = ((m(0) * Number(v[0]) + m(1) * Number(v[1])) + m(2) * Number(v[2])) + m(3);
       BOOST_TEST(placed[i] == expected);
       inexact += Rational(expected) != exact_image(pose, v)[i];
     }
   }
   BOOST_TEST(inexact > 1'000);
-}
-
-BOOST_AUTO_TEST_CASE(float_motion_is_the_float_expression)
-{
-  Random random(4);
-  for (int n = 0; n < 1'000; ++n) {
-    const Pose pose = any_doubles(random);
-    const Vertex v = scenes::real_vertex(random, 10);
-    const auto placed = Frame<Float>(pose)(point<Float>(v));
-    for (int i = 0; i < 3; ++i) {
-      const auto m = [&](int k) { return float(pose[4 * i + k]); };
-      BOOST_TEST(placed[i] == ((m(0) * float(v[0]) + m(1) * float(v[1])) + m(2) * float(v[2])) + m(3));
-    }
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

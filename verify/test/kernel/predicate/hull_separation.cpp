@@ -1,14 +1,7 @@
 #include "tetracone/kernel/predicate/hull_separation.h"
 
 #include "verify/cases/random.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_hull_separation)
 

@@ -1,37 +1,29 @@
 #include "tetracone/kernel/predicate/int128_signs.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_int128_signs)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
 using Points = std::array<Vertex, 4>;
 
-namespace {
-
-rationals::Vector from_first(const Points& p, std::size_t k)
+std::array<rationals::Vector, 4> exactly(const Points& p)
 {
-  return rationals::minus(rationals::exactly(p[k]), rationals::exactly(p[0]));
+  return {rationals::exactly(p[0]), rationals::exactly(p[1]), rationals::exactly(p[2]), rationals::exactly(p[3])};
 }
 
 CGAL::Sign volume(const Points& p)
 {
-  return CGAL::sign(rationals::determinant(from_first(p, 1), from_first(p, 2), from_first(p, 3)));
+  const auto e = exactly(p);
+  return CGAL::sign(rationals::six_volume(e[0], e[1], e[2], e[3]));
 }
 
 CGAL::Sign normal(const Points& p, int axis)
 {
-  return CGAL::sign(rationals::outer(from_first(p, 1), from_first(p, 2))[std::size_t(axis)]);
+  const auto e = exactly(p);
+  return CGAL::sign(rationals::outer(rationals::minus(e[1], e[0]), rationals::minus(e[2], e[0]))[std::size_t(axis)]);
 }
 
 /// Whole numbers of `bits` bits times 2^scale, at the ends of their range every other time; coplanar if asked.
@@ -47,17 +39,13 @@ Points on_a_grid(Random& random, int bits, int scale, bool coplanar)
     for (double& x : v) x = number();
   if (coplanar)
     for (int k = 0; k < 3; ++k) {
-      p[1][k] = std::trunc(p[1][k] / 8);
-      p[2][k] = std::trunc(p[2][k] / 8);
-      p[0][k] = std::trunc(p[0][k] / 8);
+      for (int n = 0; n < 3; ++n) p[n][k] = std::trunc(p[n][k] / 8);
       p[3][k] = p[1][k] + p[2][k] - p[0][k];
     }
   for (Vertex& v : p)
     for (double& x : v) x = std::ldexp(x, scale);
   return p;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(points_of_a_grid_have_their_exact_signs)
 {

@@ -1,20 +1,12 @@
 #include "tetracone/kernel/predicate/kept_sides.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cstddef>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_kept_sides)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
-
-namespace {
 
 /// Points of two bodies, mostly about one plane: many signs are exactly 0, or too small for the filter.
 class Two_bodies {
@@ -40,9 +32,7 @@ class Two_bodies {
   Sign side(std::size_t body, const std::array<std::size_t, 3>& t, std::size_t v) const
   {
     const auto& p = exact_[body];
-    return CGAL::sign(
-        rationals::sign(rationals::determinant(rationals::minus(p[t[1]], p[t[0]]), rationals::minus(p[t[2]], p[t[0]]),
-                                               rationals::minus(exact_[1 - body][v], p[t[0]]))));
+    return CGAL::sign(rationals::six_volume(p[t[0]], p[t[1]], p[t[2]], exact_[1 - body][v]));
   }
 
  private:
@@ -50,8 +40,6 @@ class Two_bodies {
   std::array<std::array<Point<Adaptive>, count>, 2> point_;
   std::array<std::array<rationals::Vector, count>, 2> exact_;
 };
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(signs_are_exact_at_every_pose_however_often_they_are_asked)
 {

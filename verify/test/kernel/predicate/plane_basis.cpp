@@ -1,21 +1,12 @@
 #include "tetracone/kernel/predicate/plane_basis.h"
 
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_plane_basis)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 std::optional<std::array<std::size_t, 3>> plane_basis(const std::vector<Vertex>& corners)
 {
@@ -45,19 +36,17 @@ bool is_right(const std::vector<Vertex>& corners)
   return !collinear(corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]);
 }
 
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(a_triple_off_one_line_is_found_exactly_where_there_is_one)
 {
-  scenes::Random random(1);
+  Random random(1);
   int wrong = 0, none = 0;
   for (int n = 0; n < 2000; ++n) {
-    std::vector<Vertex> corners(scenes::integer(random, 1, 6));
-    const Vertex along = scenes::grid_vertex(random, 1), from = scenes::grid_vertex(random, 2);
+    std::vector<Vertex> corners(integer(random, 1, 6));
+    const Vertex along = grid_vertex(random, 1), from = grid_vertex(random, 2);
     for (Vertex& v : corners) {
-      v = scenes::grid_vertex(random, 1);
+      v = grid_vertex(random, 1);
       if (n % 2 == 0) {
-        const int s = scenes::integer(random, -3, 3);
+        const int s = integer(random, -3, 3);
         for (int k = 0; k < 3; ++k) v[k] = from[k] + s * along[k];
       }
     }
@@ -89,7 +78,7 @@ BOOST_AUTO_TEST_CASE(one_ulp_off_a_line_is_a_plane)
 
 BOOST_AUTO_TEST_CASE(planes_too_small_too_large_and_too_thin_for_double_are_found)
 {
-  scenes::Random random(2);
+  Random random(2);
   for (const double scale : {0x1p-1074, 0x1p-600, 0x1p-300, 0x1p600, 0x1p1023}) {
     std::vector<Vertex> corners = {{0, 0, 0}, {scale, 0, 0}, {scale, scale, 0}, {0, scale, scale}};
     do {

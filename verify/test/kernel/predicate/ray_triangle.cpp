@@ -1,22 +1,13 @@
 #include "tetracone/kernel/predicate/ray_triangle.h"
 
 #include "tetracone/kernel/number/products.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <optional>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_ray_triangle)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
-
-namespace {
 
 struct Scene {
   Vertex origin, direction;
@@ -84,8 +75,6 @@ Truth truth(const Scene& scene)
   result.meets_line = !(left && right);
   return result;
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_decided_and_rounded_is_what_rationals_say)
 {

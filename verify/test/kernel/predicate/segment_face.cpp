@@ -4,26 +4,12 @@
 #include "tetracone/kernel/predicate/plane_basis.h"
 #include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/segment_truth.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <tuple>
-#include <utility>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_segment_face)
 
 using namespace tetracone::kernel;
-namespace scenes = tetracone::verify::scenes;
-using scenes::Loops;
-using scenes::Random;
-using scenes::true_contact;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 using Kernels = std::tuple<Float, Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
 using Corners = std::array<Vertex, 3>;
@@ -76,22 +62,21 @@ struct Sample {
   Loops loops;
   bool is_in_plane;
 
-  explicit Sample(Random& random) : loops(scenes::random_loops(random, 2))
+  explicit Sample(Random& random) : loops(random_loops(random, 2))
   {
-    const int height = scenes::integer(random, 0, 1);
+    const int height = integer(random, 0, 1);
     const auto end = [&]() -> Vertex {
-      const auto& loop = loops[std::size_t(scenes::integer(random, 0, int(loops.size()) - 1))];
-      if (scenes::integer(random, 0, 3) == 0)
-        return loop[std::size_t(scenes::integer(random, 0, int(loop.size()) - 1))];
-      Vertex v = scenes::grid_vertex(random, 3);
-      v[2] = scenes::integer(random, -height, height);
+      const auto& loop = loops[std::size_t(integer(random, 0, int(loops.size()) - 1))];
+      if (integer(random, 0, 3) == 0) return loop[std::size_t(integer(random, 0, int(loop.size()) - 1))];
+      Vertex v = grid_vertex(random, 3);
+      v[2] = integer(random, -height, height);
       return v;
     };
     p = end();
-    q = scenes::integer(random, 0, 9) == 0 ? p : end();
+    q = integer(random, 0, 9) == 0 ? p : end();
     is_in_plane = p[2] == 0 && q[2] == 0;
     // By small integers into any plane, which changes no contact.
-    const Pose pose = scenes::random_affine(random, 1);
+    const Pose pose = random_affine(random, 1);
     const auto place = [&pose](Vertex& v) {
       const Vertex at = v;
       for (int i = 0; i < 3; ++i) v[i] = pose[4 * i] * at[0] + pose[4 * i + 1] * at[1] + pose[4 * i + 2] * at[2];
@@ -109,8 +94,6 @@ struct Sample {
   }
 };
 
-}  // namespace
-
 KERNEL_TEST_CASE(random_triangles_meet_segments_as_integers_say_in_any_order, K, Kernels)
 {
   Random random(2);
@@ -119,7 +102,7 @@ KERNEL_TEST_CASE(random_triangles_meet_segments_as_integers_say_in_any_order, K,
   for (int n = 0; n < 4'000; ++n) {
     // In space, or nearly all on few lines and planes.
     const int radius = 1 + n % 2;
-    const auto any = [&] { return scenes::grid_vertex(random, radius); };
+    const auto any = [&] { return grid_vertex(random, radius); };
     const Vertex p = any(), q = n % 20 == 0 ? p : any();
     Corners t = {any(), any(), any()};
     if (n % 3 == 0)
@@ -158,7 +141,7 @@ KERNEL_TEST_CASE(random_faces_meet_segments_as_integers_say_whatever_their_order
     std::swap(p, q);
     ask(0);
     for (auto& loop : loops)
-      std::rotate(loop.begin(), loop.begin() + scenes::integer(random, 0, int(loop.size()) - 1), loop.end());
+      std::rotate(loop.begin(), loop.begin() + integer(random, 0, int(loop.size()) - 1), loop.end());
     std::reverse(loops.begin(), loops.end());
     ask(0);
     for (auto& loop : loops) std::reverse(loop.begin(), loop.end());

@@ -2,27 +2,15 @@
 
 #include "tetracone/kernel/predicate/frame.h"
 #include "verify/test/support/kernel_test_case.h"
-#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
+#include "verify/test/support/suite.h"
 
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <thread>
-#include <tuple>
-#include <type_traits>
-
-// Orientations near and in a plane, under poses, in every order, are asked of every kernel in campaigns.
+// Campaigns ask every kernel for signs near and in a plane, under poses, in every order and at every scale.
 
 BOOST_AUTO_TEST_SUITE(test_signs)
 
 using namespace tetracone::kernel;
-namespace rationals = tetracone::verify::rationals;
-namespace scenes = tetracone::verify::scenes;
-
-namespace {
+using namespace tetracone::verify::scenes;
 
 using Kernels = std::tuple<Float, Double, Tolerant, Epick, Epeck, Rational_kernel, Adaptive>;
 
@@ -31,53 +19,15 @@ rationals::Vector between(const Vertex& a, const Vertex& b)
   return rationals::minus(rationals::exactly(b), rationals::exactly(a));
 }
 
-}  // namespace
-
-KERNEL_TEST_CASE(signs_of_a_grid_are_those_of_rationals_at_every_scale, K, Kernels)
-{
-  scenes::Random random(1);
-  // Single precision has fewer exponents; the determinant takes three times the scale's.
-  const int largest = std::is_same_v<K, Float> ? 30 : 200;
-  int wrong = 0;
-  std::array<int, 4> zeros{};
-  for (int n = 0; n < 4'000; ++n) {
-    std::array<Vertex, 4> v;
-    for (Vertex& p : v) p = scenes::grid_vertex(random, 1 + n % 3);
-    const rationals::Vector b = between(v[0], v[1]), c = between(v[0], v[2]), normal = rationals::outer(b, c);
-    const int volume = rationals::sign(rationals::determinant(b, c, between(v[0], v[3])));
-    const double scale = std::ldexp(1.0, scenes::integer(random, -largest, largest));
-    const auto at = [&](std::size_t k) { return point<K>({scale * v[k][0], scale * v[k][1], scale * v[k][2]}); };
-    wrong += int(volume_sign<K>(at(0), at(1), at(2), at(3))) != volume;
-    wrong += int(volume_sign<K>(at(0), at(2), at(1), at(3))) != -volume;
-    int first_axis = -1;
-    for (int axis = 2; axis >= 0; --axis) {
-      const int along = rationals::sign(normal[std::size_t(axis)]);
-      if (along != 0) first_axis = axis;
-      wrong += int(normal_sign<K>(at(0), at(1), at(2), axis)) != along;
-      wrong += int(normal_sign<K>(at(1), at(0), at(2), axis)) != -along;
-      wrong += int(difference_sign<K>(at(1), at(0), axis)) != rationals::sign(b[std::size_t(axis)]);
-      zeros[1] += along == 0;
-    }
-    // The first axis that keeps the plane; none where the three are on one line.
-    wrong += projection_axis<K>(at(0), at(1), at(2)) != first_axis;
-    wrong += coincide<K>(at(0), at(1)) != (v[0] == v[1]);
-    zeros[0] += volume == 0;
-    zeros[2] += first_axis < 0;
-    zeros[3] += v[0] == v[1];
-  }
-  BOOST_TEST(wrong == 0);
-  for (const int count : zeros) BOOST_TEST(count > 50);
-}
-
 KERNEL_TEST_CASE(perturbed_side_is_the_side_of_the_point_really_moved, K, Kernels)
 {
   // Small enough: the volume is an integer, the normal's components are integers of at most 72.
   const Rational e = Rational(1) / Rational(1 << 20);
-  scenes::Random random(9);
+  Random random(9);
   int wrong = 0, moved = 0;
   for (int n = 0; n < 5'000; ++n) {
-    const Vertex a = scenes::grid_vertex(random, 2), b = scenes::grid_vertex(random, 2),
-                 c = scenes::grid_vertex(random, 2), p = scenes::grid_vertex(random, 2);
+    const Vertex a = grid_vertex(random, 2), b = grid_vertex(random, 2), c = grid_vertex(random, 2),
+                 p = grid_vertex(random, 2);
     const rationals::Vector really = rationals::plus(between(a, p), {e, Rational(e * e), Rational(e * e * e)});
     const int truth = rationals::sign(rationals::determinant(between(a, b), between(a, c), really));
     const Sign sign = perturbed_side<K>(point<K>(a), point<K>(b), point<K>(c), point<K>(p)),
@@ -93,8 +43,6 @@ KERNEL_TEST_CASE(perturbed_side_is_the_side_of_the_point_really_moved, K, Kernel
 
 // --- Tolerant --------------------------------------------------------------------------------------------------------
 
-namespace {
-
 struct With_tolerance {
   explicit With_tolerance(double absolute, double relative) { Tolerant::tolerance() = {absolute, relative}; }
   ~With_tolerance() { Tolerant::tolerance() = {}; }
@@ -107,17 +55,11 @@ Sign corner_of_height(double h)
   return volume_sign<Tolerant>(T(0, 0, 0), T(1, 0, 0), T(0, 1, 0), T(0, 0, h));
 }
 
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(without_a_tolerance_tolerant_is_plain_double)
+BOOST_AUTO_TEST_CASE(absolute_tolerance_makes_small_values_zero_up_to_and_including_it_and_none_is_plain_double)
 {
   BOOST_TEST(corner_of_height(0x1p-1074) == POSITIVE);
   BOOST_TEST(corner_of_height(-0x1p-1074) == NEGATIVE);
   BOOST_TEST(corner_of_height(0) == ZERO);
-}
-
-BOOST_AUTO_TEST_CASE(absolute_tolerance_makes_small_values_zero_up_to_and_including_it)
-{
   const With_tolerance within(0x1p-10, 0);
   const double above = std::nextafter(0x1p-10, 1);
   BOOST_TEST(corner_of_height(0x1p-10) == ZERO);

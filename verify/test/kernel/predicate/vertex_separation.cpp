@@ -1,19 +1,12 @@
 #include "tetracone/kernel/predicate/vertex_separation.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <cmath>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_vertex_separation)
 
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
-
-namespace {
 
 bool are_parted(const std::array<double, 3>& direction, const std::vector<Vertex>& a, const Pose& pose_a,
                 const std::vector<Vertex>& b, const Pose& pose_b, int steps)
@@ -28,8 +21,6 @@ Pose beside(const Pose& frame, const std::array<Rational, 3>& t)
 {
   return composed(frame, Pose(std::array<Rational, 12>{1, 0, 0, t[0], 0, 1, 0, t[1], 0, 0, 1, t[2]}));
 }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(cubes_beside_one_another_are_parted_at_a_corner_by_any_gap_and_never_where_they_touch)
 {

@@ -1,21 +1,12 @@
 #include "tetracone/kernel/simd/short_vectors.h"
 
 #include "verify/test/support/scenes.h"
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "verify/test/support/suite.h"
 
 BOOST_AUTO_TEST_SUITE(test_short_vectors)
 
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
-
-namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity(),
                  undefined = std::numeric_limits<double>::quiet_NaN();
@@ -50,8 +41,6 @@ std::vector<double> numbers(Random& random)
 
 bool same(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
 bool same(float x, float y) { return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y); }
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_loaded_is_rounded_to_nearest_and_magnitudes_lose_the_sign_alone)
 {
