@@ -7,6 +7,7 @@
 #include "tetracone/kernel/motion/rotation_quaternion.h"
 #include "verify/families/families.h"
 #include "verify/families/ladder.h"
+#include "verify/test/verify/same_body.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -25,19 +26,9 @@ using namespace tetracone::verify;
 using namespace tetracone::verify::object_family;
 using covering::Polyhedron;
 using kernel::Question;
+using verify::same;
 
 namespace {
-
-bool same(const Polyhedron& a, const Polyhedron& b)
-{
-  if (a.vertices != b.vertices || a.face_count() != b.face_count()) return false;
-  for (covering::Index f = 0; f < a.face_count(); ++f) {
-    if (a.loop_count(f) != b.loop_count(f)) return false;
-    for (std::size_t l = 0; l < a.loop_count(f); ++l)
-      if (!std::ranges::equal(a.loop(f, l), b.loop(f, l))) return false;
-  }
-  return true;
-}
 
 bool same(const Object_case& c, const Object_case& d)
 {
