@@ -26,13 +26,12 @@ using namespace tetracone::verify;
 using namespace tetracone::verify::object_family;
 using covering::Polyhedron;
 using kernel::Question;
-using verify::same;
 
 namespace {
 
 bool same(const Object_case& c, const Object_case& d)
 {
-  return same(*c.a, *d.a) && same(*c.b, *d.b) && c.pose_a == d.pose_a && c.pose_b == d.pose_b &&
+  return verify::same(*c.a, *d.a) && verify::same(*c.b, *d.b) && c.pose_a == d.pose_a && c.pose_b == d.pose_b &&
          c.surface == d.surface && c.solid == d.solid;
 }
 
