@@ -5,7 +5,6 @@
 #include "verify/predicate_families/predicate_families.h"
 
 #include <limits>
-#include <utility>
 
 namespace tetracone::verify {
 namespace {

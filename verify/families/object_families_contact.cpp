@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace tetracone::verify::object_family {
 namespace {

@@ -9,8 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <string>
 #include <utility>
 
 namespace tetracone::verify {

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <iterator>
 #include <limits>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 

@@ -8,8 +8,6 @@
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 #include <utility>
 

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_distance_truth)
 
