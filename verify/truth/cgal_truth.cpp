@@ -245,8 +245,9 @@ bool collide(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const
 int inside(const Placed_body& solid, const std::array<kernel::Rational, 3>& point)
 {
   if (!solid.body().is_closed()) throw std::invalid_argument("an open surface has no solid");
-  if (detail::surfaces_meet(solid, Dot(point).placed)) return 0;
-  return detail::winding(solid, point) != 0 ? 1 : -1;
+  const Dot dot(point);
+  if (detail::surfaces_meet(solid, dot.placed)) return 0;
+  return detail::winding(solid, dot.placed, 0) != 0 ? 1 : -1;
 }
 
 int inside(const Brute_body& body, const std::array<kernel::Rational, 3>& point)
