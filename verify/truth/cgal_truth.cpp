@@ -213,13 +213,7 @@ void require_closed(const Placed_body& a, const Placed_body& b)
 
 Planar_face placed_face(const Placed_body& placed, Index f)
 {
-  const covering::Polyhedron& polyhedron = placed.body().polyhedron();
-  std::vector<std::vector<Exact::Point_3>> loops;
-  for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-    loops.emplace_back();
-    for (const Index v : polyhedron.loop(f, k)) loops.back().push_back(placed.image<Exact>(v));
-  }
-  return Planar_face(std::move(loops));
+  return planar_face(placed.body().polyhedron(), f, [&](Index v) { return placed.image<Exact>(v); });
 }
 
 }  // namespace detail
