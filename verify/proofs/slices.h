@@ -30,8 +30,8 @@ inline Slice slice_of(std::size_t n, const std::vector<int>& places)
   return slice;
 }
 
-/// Returns the slices of a sum of scalar products of n inputs: the first three times the three from each of `factors` on.
-/// Each slice has the inputs `always`, too.
+/// Returns the slices of a sum of scalar products of n inputs: the first three times the three from each of `factors`
+/// on. Each slice has the inputs `always`, too.
 inline std::vector<Slice> slices_of_dot(std::size_t n = 6, const std::vector<int>& factors = {3},
                                         const std::vector<int>& always = {})
 {
