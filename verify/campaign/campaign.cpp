@@ -88,48 +88,13 @@ void refuse_common_batches(Database& into, const std::filesystem::path& from)
                                 "expected each shard once, or a new file that takes all");
 }
 
-/// Adds all rows of the attached database, with its runs renumbered.
-constexpr const char* merge_attached = R"(
+/// Adds the attached database's runs, and remembers their numbers here and there.
+constexpr const char* merge_runs = R"(
     INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes, again)
       SELECT version, compiler, flags, processor, seed, real_meshes, again FROM other.run;
     CREATE TEMP TABLE renumbered AS SELECT there.id AS there, here.id AS here FROM other.run AS there
       JOIN main.run AS here USING (version, compiler, flags, processor, seed, real_meshes, again);
     INSERT INTO main.done SELECT * FROM other.done;
-    INSERT INTO main.tally SELECT here, level, family, subject, question, poses, axis, bin, n, false_positives, false_negatives, failures, not_asked
-      FROM other.tally JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n,
-      false_positives = false_positives + excluded.false_positives, false_negatives = false_negatives + excluded.false_negatives,
-      failures = failures + excluded.failures, not_asked = not_asked + excluded.not_asked;
-    INSERT INTO main.truth SELECT here, level, family, question, n, positives, by_construction FROM other.truth JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, positives = positives + excluded.positives,
-      by_construction = by_construction + excluded.by_construction;
-    INSERT INTO main.wrong SELECT here, level, family, number, parameter, subject, question, truth, answer, log2_rho, log2_ulps, stage
-      FROM other.wrong JOIN renumbered ON run = there WHERE true;
-    INSERT INTO main.blame SELECT here, level, family, subject, question, stage, n FROM other.blame JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n;
-    INSERT INTO main.failure SELECT here, level, family, subject, question, how, n, first, said FROM other.failure JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, said = iif(excluded.first < first, excluded.said, said),
-      first = min(first, excluded.first);
-    INSERT INTO main.relation SELECT here, level, family, relation, subject, question, tried, violated, not_applicable
-      FROM other.relation JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET tried = tried + excluded.tried,
-      violated = violated + excluded.violated, not_applicable = not_applicable + excluded.not_applicable;
-    INSERT INTO main.flips SELECT here, sequence, subject, question, frames, wrong, changes, true_changes
-      FROM other.flips JOIN renumbered ON run = there WHERE true;
-    INSERT INTO main.time SELECT here, level, family, subject, question, n, making, asking FROM other.time JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, making = making + excluded.making, asking = asking + excluded.asking;
-  )";
-
-/// Adds the rows of tables that databases of older versions lack.
-constexpr const char* merge_newer_tables = R"(
-    INSERT OR IGNORE INTO main.declined SELECT here, level, family, number, subject, question, why
-      FROM other.declined JOIN renumbered ON run = there;
-    INSERT INTO main.skipped SELECT here, level, family, subject, n FROM other.skipped JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n;
-  )";
-constexpr const char* merge_rounded = R"(
-    INSERT INTO main.rounded SELECT here, level, family, subject, question, bin, n, changed, wrong, excused, false_positives, false_negatives
-      FROM other.rounded JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n,
-      changed = changed + excluded.changed, wrong = wrong + excluded.wrong, excused = excused + excluded.excused,
-      false_positives = false_positives + excluded.false_positives, false_negatives = false_negatives + excluded.false_negatives;
   )";
 
 }  // namespace
@@ -193,9 +158,10 @@ void merge(Database& into, const std::filesystem::path& from)
   refuse_other_words(into, from);
   if (!has_all(into)) {
     refuse_common_batches(into, from);
-    into.run(merge_attached);
-    if (has_table(into, "hello", "other")) into.run(merge_newer_tables);
-    if (has_table(into, "rounded", "other")) into.run(merge_rounded);
+    into.run(merge_runs);
+    for (const char* table :
+         {"tally", "truth", "wrong", "blame", "failure", "relation", "flips", "time", "declined", "skipped", "rounded"})
+      if (has_table(into, table, "other")) into.run(merging(table));
     into.run("DROP TABLE renumbered");
   }
   into.run(

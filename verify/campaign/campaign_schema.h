@@ -92,6 +92,16 @@ CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject T
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
 )";
 
+/// Returns what is done with a row whose key the table has already: numbers are added up.
+std::string on_conflict(const std::string& table);
+
+/// Returns a statement that adds the row ?1, ?2, ... of n columns.
+std::string insertion(const std::string& table, int n);
+
+/// Returns a statement that adds all rows of this table of the attached database `other`. The table `renumbered` says
+/// which run is `here` that is `there`.
+std::string merging(const std::string& table);
+
 /// Throws covering::Input_error, with the table and its columns, when a table of the file has other columns than the
 /// schema. Another version wrote it; this one neither continues it nor merges shards from it.
 void require_columns_of_schema(Database& database);

@@ -10,7 +10,6 @@
 #include <array>
 #include <set>
 #include <string>
-#include <utility>
 
 namespace tetracone::verify {
 namespace {

@@ -100,49 +100,31 @@ void Findings::add_flips(const std::string& subject, const std::string& question
 void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, std::uint64_t batch) const
 {
   using Sql = Database::Statement;
-  Sql truth(database,
-            "INSERT INTO truth VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n, "
-            "positives = positives + excluded.positives, by_construction = by_construction + excluded.by_construction");
+  Sql truth(database, insertion("truth", 7));
   for (const auto& [question, t] : truth_)
     truth.run(run, level_, family_, question, t.n, t.positives, t.by_construction);
 
-  Sql tally(
-      database,
-      "INSERT INTO tally VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13) ON CONFLICT DO UPDATE SET "
-      "n = n + excluded.n, false_positives = false_positives + excluded.false_positives, "
-      "false_negatives = false_negatives + excluded.false_negatives, failures = failures + excluded.failures, "
-      "not_asked = not_asked + excluded.not_asked");
+  Sql tally(database, insertion("tally", 13));
   for (const auto& [key, t] : tally_) {
     const auto& [asked, place] = key;
     tally.run(run, level_, family_, asked.first, asked.second, place.has_fractions ? with_fractions : of_doubles,
               place.axis, place.bin, t.n, t.false_positives, t.false_negatives, t.failures, t.not_asked);
   }
 
-  Sql rounded(
-      database,
-      "INSERT INTO rounded VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12) ON CONFLICT DO UPDATE SET "
-      "n = n + excluded.n, changed = changed + excluded.changed, wrong = wrong + excluded.wrong, "
-      "excused = excused + excluded.excused, false_positives = false_positives + excluded.false_positives, "
-      "false_negatives = false_negatives + excluded.false_negatives");
+  Sql rounded(database, insertion("rounded", 12));
   for (const auto& [key, r] : rounded_)
     rounded.run(run, level_, family_, key.first.first, key.first.second, key.second, r.n, r.changed, r.wrong, r.excused,
                 r.false_positives, r.false_negatives);
 
   // -1 stands for NULL where the time of making is unknown.
-  Sql time(database,
-           "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, nullif(?7, -1), ?8) ON CONFLICT DO UPDATE SET "
-           "n = n + excluded.n, making = making + excluded.making, asking = asking + excluded.asking");
+  Sql time(database, "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, nullif(?7, -1), ?8)" + on_conflict("time"));
   for (const auto& [asked, t] : time_)
     time.run(run, level_, family_, asked.first, asked.second, t.n, t.making.value_or(-1), t.nanoseconds);
 
-  Sql blame(database,
-            "INSERT INTO blame VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n");
+  Sql blame(database, insertion("blame", 7));
   for (const auto& [key, n] : blame_) blame.run(run, level_, family_, key.first.first, key.first.second, key.second, n);
 
-  Sql relation(database,
-               "INSERT INTO relation VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
-               "tried = tried + excluded.tried, violated = violated + excluded.violated, "
-               "not_applicable = not_applicable + excluded.not_applicable");
+  Sql relation(database, insertion("relation", 9));
   for (const auto& [key, t] : relation_) {
     const auto& [name, subject, question] = key;
     relation.run(run, level_, family_, name, subject, question, t.tried, t.violated, t.not_applicable);
@@ -152,10 +134,7 @@ void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, s
   for (const auto& [asked, f] : flips_)
     flips.run(run, family_, asked.first, asked.second, f.frames, f.wrong, f.changes, f.true_changes);
 
-  Sql failure(database,
-              "INSERT INTO failure VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
-              "n = n + excluded.n, said = iif(excluded.first < first, excluded.said, said), "
-              "first = min(first, excluded.first)");
+  Sql failure(database, insertion("failure", 9));
   for (const auto& [key, f] : failures_)
     failure.run(run, level_, family_, key.first.first, key.first.second, key.second, f.n, f.first, f.said);
 
@@ -170,12 +149,11 @@ void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, s
   for (const auto& [number, subject, question, why] : declined_)
     declined.run(run, level_, family_, number, subject, question, why);
 
-  Sql skipped(database, "INSERT INTO skipped VALUES (?1, ?2, ?3, ?4, ?5) ON CONFLICT DO UPDATE SET n = n + excluded.n");
+  Sql skipped(database, insertion("skipped", 5));
   for (const auto& [subject, n] : skipped_)
     if (n > 0) skipped.run(run, level_, family_, subject, n);
 
-  Sql done(database,
-           "INSERT INTO done VALUES (?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT DO UPDATE SET cases = cases + excluded.cases");
+  Sql done(database, insertion("done", 6));
   for (const auto& [subject, cases] : done_) done.run(seed, level_, family_, batch, subject, cases);
 }
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 
 namespace tetracone::verify {
 namespace {

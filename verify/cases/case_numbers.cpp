@@ -1,6 +1,5 @@
 #include "verify/cases/case_numbers.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdlib>

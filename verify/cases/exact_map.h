@@ -90,6 +90,20 @@ inline Exact_vector turned(const kernel::Pose& pose, const Exact_vector& v)
   return difference(image(pose, v), {pose.exact(3), pose.exact(7), pose.exact(11)});
 }
 
+/// Returns the point that the pose maps to x. Requires det M != 0.
+inline Exact_vector preimage(const kernel::Pose& pose, const Exact_vector& x)
+{
+  if (pose.is_identity()) return x;
+  std::array<Exact_vector, 3> column;
+  for (int j = 0; j < 3; ++j) column[j] = {pose.exact(j), pose.exact(4 + j), pose.exact(8 + j)};
+  const Exact_vector y = difference(x, {pose.exact(3), pose.exact(7), pose.exact(11)});
+  const kernel::Rational determinant = dot(column[0], cross(column[1], column[2]));
+  const auto coordinate = [&](int j) -> kernel::Rational {
+    return dot(y, cross(column[(j + 1) % 3], column[(j + 2) % 3])) / determinant;
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
 /// v M, that is, the row w with w x = v (M x).
 inline Exact_vector pulled_back(const kernel::Pose& pose, const Exact_vector& v)
 {

@@ -153,28 +153,14 @@ inline std::optional<kernel::Pose> translated_back(const kernel::Pose& pose, con
 /// Returns the inverse of `pose`, applied after `first`; nothing if it needs fractions and neither of the two has any.
 inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const kernel::Pose& first)
 {
-  const Entries m = entries_of(pose), n = entries_of(first);
+  using namespace object_family;
+  const Exact_vector origin = preimage(pose, image(first, {0, 0, 0}));
   Entries result;
-  kernel::Rational determinant = 0;
-  for (int i = 0; i < 3; ++i) {
-    const int p = (i + 1) % 3, q = (i + 2) % 3;
-    // Row i of the cofactors' transpose, which is the inverse up to the factor 1 / determinant.
-    std::array<kernel::Rational, 3> cofactor;
-    for (int j = 0; j < 3; ++j) {
-      const int k = (j + 1) % 3, l = (j + 2) % 3;
-      cofactor[j] = m[4 * k + p] * m[4 * l + q] - m[4 * k + q] * m[4 * l + p];
-      if (i == 0) determinant += m[4 * j] * cofactor[j];
-    }
-    for (int column = 0; column < 4; ++column) {
-      result[4 * i + column] = 0;
-      for (int j = 0; j < 3; ++j) {
-        kernel::Rational entry = n[4 * j + column];
-        if (column == 3) entry -= m[4 * j + 3];
-        result[4 * i + column] += cofactor[j] * entry;
-      }
-    }
+  for (int k = 0; k < 3; ++k) {
+    const Exact_vector axis = difference(preimage(pose, image(first, {k == 0, k == 1, k == 2})), origin);
+    for (int row = 0; row < 3; ++row) result[4 * row + k] = axis[row];
+    result[4 * k + 3] = origin[k];
   }
-  for (kernel::Rational& entry : result) entry /= determinant;
   return exact_pose(result, pose.is_rational() || first.is_rational());
 }
 

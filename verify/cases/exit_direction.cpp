@@ -4,8 +4,6 @@
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/random.h"
 
-#include <utility>
-
 namespace tetracone::verify {
 namespace {
 

@@ -5,7 +5,6 @@
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/json_pose.h"
 
-#include <bit>
 #include <cmath>
 #include <map>
 #include <system_error>

@@ -1,6 +1,7 @@
 #include "verify/cases/shape_generators.h"
 
 #include "tetracone/covering/io/read.h"
+#include "tetracone/kernel/number/products.h"
 #include "verify/cases/random.h"
 
 #include <CGAL/Simple_cartesian.h>
@@ -19,6 +20,8 @@ namespace {
 
 using covering::Index;
 using covering::Loop;
+using kernel::cross;
+using kernel::dot;
 using Corners = std::vector<Index>;
 
 std::vector<Vertex> moved(std::vector<Vertex> points, const Vertex& way)
@@ -135,11 +138,6 @@ void add_quad(Polyhedron& polyhedron, Index a, Index b, Index c, Index d)
 }
 
 Vertex sum(const Vertex& a, double s, const Vertex& b) { return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]}; }
-double dot(const Vertex& a, const Vertex& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vertex cross(const Vertex& a, const Vertex& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Vertex unit(const Vertex& a)
 {
   const double length = std::sqrt(dot(a, a));
@@ -163,14 +161,7 @@ Polyhedron box_with_cavity(double outer, double inner)
   assert(0 < inner && inner < outer);
   Polyhedron result = box({-outer, -outer, -outer}, {outer, outer, outer});
   const Polyhedron cavity = box({-inner, -inner, -inner}, {inner, inner, inner});
-  const Index first = static_cast<Index>(result.vertices.size());
-  result.vertices.insert(result.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
-  for (Index f = 0; f < cavity.face_count(); ++f) {
-    const Loop loop = cavity.loop(f, 0);
-    Corners corners(loop.rbegin(), loop.rend());
-    for (Index& corner : corners) corner += first;
-    result.add_polygon(corners);
-  }
+  append(result, cavity, true);
   return result;
 }
 

@@ -248,6 +248,14 @@ const Shape& any_shape(Random& random)
   return draw == 99 ? meshes().back() : meshes()[random.bits() % (meshes().size() - 1)];
 }
 
+const Shape& with_hull_edges(Random& random)
+{
+  for (;;) {
+    const Shape& shape = any_shape(random);
+    if (!shape.hull_edges.empty()) return shape;
+  }
+}
+
 Body moved_copy(const Shape& shape, const std::array<int, 3>& exponents, double shift)
 {
   static std::mutex mutex;

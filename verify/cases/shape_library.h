@@ -68,6 +68,8 @@ const std::vector<Shape>& meshes();
 
 /// Returns a block, or sometimes a mesh.
 const Shape& any_shape(Random& random);
+/// Returns such a shape that has an edge on its hull.
+const Shape& with_hull_edges(Random& random);
 const Shape& any_block(Random& random);
 const Shape& any_pebble(Random& random);
 /// Returns a block that is its own hull.

@@ -10,14 +10,6 @@ namespace tetracone::verify {
 namespace object_family {
 namespace {
 
-const Shape& edged(Random& random)
-{
-  for (;;) {
-    const Shape& shape = any_shape(random);
-    if (!shape.hull_edges.empty()) return shape;
-  }
-}
-
 Object_case apart_from_face(Random& random, double exponent)
 {
   const Shape& a = any_shape(random);
@@ -30,7 +22,7 @@ Object_case apart_from_face(Random& random, double exponent)
 
 Object_case apart_from_edge(Random& random, double exponent)
 {
-  const Shape& a = edged(random);
+  const Shape& a = with_hull_edges(random);
   const Body& b = any_shape(random).body;
   const Pose turn = any_turn(random);
   const Touching contact = vertex_on_edge(random, a, b, turn, 3);
@@ -48,7 +40,7 @@ Object_case apart_from_vertex(Random& random, double exponent)
 
 Object_case apart_across_edges(Random& random, double exponent)
 {
-  const Shape& a = edged(random);
+  const Shape& a = with_hull_edges(random);
   const Shape& b = any_block(random);
   const Pose turn = any_turn(random);
   const Touching contact = edge_across_edge(random, a, b, turn, 4);

@@ -4,7 +4,6 @@
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -48,16 +47,8 @@ Polyhedron socket(double inner, double outer)
   for (const auto& [low, high] : {std::pair(kernel::Vertex{-outer, -outer, -1}, kernel::Vertex{-inner, outer, 1}),
                                   {{inner, -outer, -1}, {outer, outer, 1}},
                                   {{-inner, -outer, -1}, {inner, -inner, 1}},
-                                  {{-inner, inner, -1}, {inner, outer, 1}}}) {
-    const Polyhedron wall = box(low, high);
-    const auto first = static_cast<covering::Index>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), wall.vertices.begin(), wall.vertices.end());
-    for (covering::Index f = 0; f < wall.face_count(); ++f) {
-      std::vector<covering::Index> loop;
-      for (const covering::Index v : wall.loop(f, 0)) loop.push_back(first + v);
-      all.add_polygon(loop);
-    }
-  }
+                                  {{-inner, inner, -1}, {inner, outer, 1}}})
+    append(all, box(low, high));
   return all;
 }
 
@@ -75,6 +66,10 @@ Numbers turned(const Rotation& r, const Vector& t)
 }
 
 Numbers rigid(double w, double x, double y, double z, const Vector& t) { return {w, x, y, z, t[0], t[1], t[2]}; }
+
+/// The ends of a body that rests, by matrices or by quaternions.
+const Motion_ends rests = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+const Motion_ends rests_rigid = {rigid(1, 0, 0, 0, {0, 0, 0}), rigid(1, 0, 0, 0, {0, 0, 0})};
 
 /// Moves x to a neighbouring double, or leaves it.
 double nudged(Random& random, double x)
@@ -97,20 +92,17 @@ Moving_bodies anywhere(Random& random)
     const double w = random.unit() + 0.5, x = random.symmetric(), y = random.symmetric(), z = random.symmetric();
     return turned(rotation(w, x, y, z), far(random, sign));
   };
-  Moving_bodies c{small_body(random), small_body(random), {}, {}};
-  c.motion_a = {pose(0), pose(0)};
-  c.motion_b = {pose(1), pose(below(random, 2) == 0 ? -1 : 0.5)};
-  return c;
+  return {
+      small_body(random), small_body(random), {pose(0), pose(0)}, {pose(1), pose(below(random, 2) == 0 ? -1 : 0.5)}};
 }
 
 Moving_bodies one_turns(Random& random)
 {
-  Moving_bodies c{small_body(random), small_body(random), {}, {}};
-  const Numbers rest = rigid(1, 0, 0, 0, {0, 0, 0});
-  c.motion_a = {rest, rest};
-  c.motion_b = {rigid(1, 0, 0, 0, far(random, 1)),
-                rigid(sixteenth(random), sixteenth(random), 1, sixteenth(random), far(random, -1))};
-  return c;
+  return {small_body(random),
+          small_body(random),
+          rests_rigid,
+          {rigid(1, 0, 0, 0, far(random, 1)),
+           rigid(sixteenth(random), sixteenth(random), 1, sixteenth(random), far(random, -1))}};
 }
 
 Moving_bodies both_turn(Random& random)
@@ -119,32 +111,26 @@ Moving_bodies both_turn(Random& random)
     const double w = 1 + sixteenth(random) * 0.5, x = sixteenth(random), y = sixteenth(random), z = sixteenth(random);
     return rigid(w, x, y, z, far(random, sign));
   };
-  Moving_bodies c{tetrahedron(random), tetrahedron(random), {}, {}};
-  c.motion_a = {pose(0), pose(0)};
-  c.motion_b = {pose(1), pose(-0.5)};
-  return c;
+  return {tetrahedron(random), tetrahedron(random), {pose(0), pose(0)}, {pose(1), pose(-0.5)}};
 }
 
 /// Faces, edges or corners that slide on each other's planes, exactly or by an ulp off.
 Moving_bodies grazing(Random& random)
 {
-  Moving_bodies c{unit_cube(), unit_cube(), {}, {}};
   Vector from = {3, sixteenth(random), sixteenth(random)}, to = {-3, sixteenth(random), from[2]};
   for (std::size_t k = 1; k < 3; ++k)
     if (below(random, 2) == 0) from[k] = to[k] = nudged(random, below(random, 2) == 0 ? 1 : -1);
-  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
-  c.motion_b = {shifted(from), shifted(to)};
-  return c;
+  return {unit_cube(), unit_cube(), rests, {shifted(from), shifted(to)}};
 }
 
 /// Two walls at once.
 Moving_bodies double_contact(Random& random)
 {
-  Moving_bodies c{socket(1, 2), box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), {}, {}};
   const double way = 1 + below(random, 3) * 0.5;
-  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
-  c.motion_b = {shifted({0, 0, 0}), shifted({way, nudged(random, way), sixteenth(random)})};
-  return c;
+  return {socket(1, 2),
+          box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}),
+          rests,
+          {shifted({0, 0, 0}), shifted({way, nudged(random, way), sixteenth(random)})}};
 }
 
 /// A small fast body against a thin plate, or past its edge.
@@ -156,7 +142,7 @@ Moving_bodies tunnelling(Random& random)
   t[2] = speed;
   Vector end = t;
   end[2] = -speed * 0.75;
-  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_a = rests;
   c.motion_b = {shifted(t), shifted(end)};
   return c;
 }
@@ -165,52 +151,50 @@ Moving_bodies tunnelling(Random& random)
 Moving_bodies spin_in_socket(Random& random)
 {
   const double half = 0.5 + below(random, 4) * 0.0625;
-  Moving_bodies c{socket(0.75 + below(random, 3) * 0.0625, 2), box({-half, -half, -3}, {half, half, 3}), {}, {}};
-  const Numbers rest = rigid(1, 0, 0, 0, {0, 0, 0});
-  c.motion_a = {rest, rest};
-  c.motion_b = {rest, rigid(1, 0, 0, sixteenth(random), {0, 0, sixteenth(random)})};
-  return c;
+  return {socket(0.75 + below(random, 3) * 0.0625, 2),
+          box({-half, -half, -3}, {half, half, 3}),
+          rests_rigid,
+          {rests_rigid[0], rigid(1, 0, 0, sixteenth(random), {0, 0, sixteenth(random)})}};
 }
 
 /// A cube that turns about an edge just above a plate, until it lies on its next face: or a little lower or higher.
 Moving_bodies rolling(Random& random)
 {
-  Moving_bodies c{box({-4, -4, -1}, {4, 4, 0}), unit_cube(), {}, {}};
   const double gap = std::ldexp(1, -1 - below(random, 30));
-  const Numbers rest = rigid(1, 0, 0, 0, {0, 0, 0});
-  c.motion_a = {rest, rest};
-  c.motion_b = {rigid(1, 0, 0, 0, {0, 0, gap}),
-                rigid(1, below(random, 2) == 0 ? -1 : -0.5, 0, 0, {0, 0, below(random, 2) == 0 ? gap : gap / 2})};
-  return c;
+  return {box({-4, -4, -1}, {4, 4, 0}),
+          unit_cube(),
+          rests_rigid,
+          {rigid(1, 0, 0, 0, {0, 0, gap}),
+           rigid(1, below(random, 2) == 0 ? -1 : -0.5, 0, 0, {0, 0, below(random, 2) == 0 ? gap : gap / 2})}};
 }
 
 /// On a plate, by an ulp above it or below, and away.
 Moving_bodies resting(Random& random)
 {
-  Moving_bodies c{box({-2, -2, -1}, {2, 2, 0}), unit_cube(), {}, {}};
   const double height = below(random, 2) == 0 ? std::ldexp(1, -1074) : nudged(random, 0);
-  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
-  c.motion_b = {shifted({0, 0, height}), shifted({1, 0, height + below(random, 3) * 0.5})};
-  return c;
+  return {box({-2, -2, -1}, {2, 2, 0}),
+          unit_cube(),
+          rests,
+          {shifted({0, 0, height}), shifted({1, 0, height + below(random, 3) * 0.5})}};
 }
 
 /// One within the other: to the end, or through the wall.
 Moving_bodies nested(Random& random)
 {
-  Moving_bodies c{box({-2, -2, -2}, {2, 2, 2}), small_body(random), {}, {}};
-  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
-  c.motion_b = {shifted({0, 0, 0}), shifted({below(random, 2) * 2.5, sixteenth(random), 0})};
-  return c;
+  return {box({-2, -2, -2}, {2, 2, 2}),
+          small_body(random),
+          rests,
+          {shifted({0, 0, 0}), shifted({below(random, 2) * 2.5, sixteenth(random), 0})}};
 }
 
 /// Contact at the end alone, or by an ulp not.
 Moving_bodies at_end(Random& random)
 {
-  Moving_bodies c{unit_cube(), unit_cube(), {}, {}};
-  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
-  c.motion_b = {shifted({3, sixteenth(random), sixteenth(random)}),
-                shifted({nudged(random, 1), sixteenth(random), sixteenth(random, 2)})};
-  return c;
+  return {unit_cube(),
+          unit_cube(),
+          rests,
+          {shifted({3, sixteenth(random), sixteenth(random)}),
+           shifted({nudged(random, 1), sixteenth(random), sixteenth(random, 2)})}};
 }
 
 /// The families above with all lengths times a power of two, or with motions of a few ulps.
@@ -233,12 +217,12 @@ Moving_bodies tiny_and_huge(Random& random)
 /// A(t) turns inside out: in between its image is flat.
 Moving_bodies flattened(Random& random)
 {
-  Moving_bodies c{unit_cube(), small_body(random), {}, {}};
   Numbers mirrored = shifted({1, 0, 0});
   mirrored[0] = -1;
-  c.motion_a = {shifted({0, 0, 0}), mirrored};
-  c.motion_b = {shifted(far(random, 1)), shifted(far(random, -0.25))};
-  return c;
+  return {unit_cube(),
+          small_body(random),
+          {shifted({0, 0, 0}), mirrored},
+          {shifted(far(random, 1)), shifted(far(random, -0.25))}};
 }
 
 using object_family::power_of_two;
@@ -300,12 +284,12 @@ Moving_bodies landings(Random& random)
                down = below(random, 4) == 0 ? 0 : -0.0625 - below(random, 12) * 0.0625;
   const int kind = below(random, 4);
   if (kind == 3) {
-    c.motion_a = {rigid(1, 0, 0, 0, {0, 0, 0}), rigid(1, 0, 0, 0, {0, 0, 0})};
+    c.motion_a = rests_rigid;
     c.motion_b = {rigid(1, tilt, 0, 0, {x, y, up}), rigid(1, tilt, 0, sixteenth(random), {x, y, down})};
     return c;
   }
   const double grown = kind == 2 ? 1 + below(random, 3) * 0.25 : 1, aside = kind == 1 ? sixteenth(random) : 0;
-  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_a = rests;
   c.motion_b = {shifted({x, y, up}), shifted({x + aside, y, down})};
   for (const int k : {0, 5, 10}) c.motion_a[1][std::size_t(k)] = c.motion_b[1][std::size_t(k)] = grown;
   c.motion_b[0][8] = c.motion_b[1][8] = tilt;

@@ -4,20 +4,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace tetracone::verify::object_family {
 namespace {
-
-/// Hull triangles and edges are asked for of these.
-const Shape& with_hull_edges(Random& random)
-{
-  for (;;) {
-    const Shape& shape = any_shape(random);
-    if (!shape.hull_edges.empty()) return shape;
-  }
-}
 
 /// A tetrahedron with a corner at A's extreme vertex along `direction`, or a few ulps off it, and the rest beyond: no
 /// pose moves it.

@@ -4,7 +4,6 @@
 
 #include "tetracone/kernel/bound/cone_lattice.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>

@@ -2,7 +2,6 @@
 #include "verify/cases/shape_generators.h"
 #include "verify/families/object_families.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>

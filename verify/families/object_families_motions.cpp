@@ -4,7 +4,6 @@
 
 #include "verify/cases/shape_generators.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>

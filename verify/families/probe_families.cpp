@@ -1,6 +1,7 @@
 #include "verify/families/probe_families.h"
 
 #include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/orient.h"
 #include "tetracone/kernel/bound/cone_lattice.h"
 #include "verify/families/families.h"
 #include "verify/families/probe_placing.h"
@@ -9,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <string>
 #include <utility>
 
 namespace tetracone::verify {
@@ -289,12 +288,8 @@ std::shared_ptr<const covering::Polyhedron> opened(const covering::Polyhedron& b
 {
   covering::Polyhedron open;
   open.vertices = body.vertices;
-  for (covering::Index f = 0; f < body.face_count(); ++f) {
-    if (f == without) continue;
-    std::vector<covering::Loop> loops;
-    for (std::size_t k = 0; k < body.loop_count(f); ++k) loops.push_back(body.loop(f, k));
-    open.add_face(loops);
-  }
+  for (covering::Index f = 0; f < body.face_count(); ++f)
+    if (f != without) append_face(open, body, f, false);
   return std::make_shared<const covering::Polyhedron>(std::move(open));
 }
 

@@ -8,8 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
-#include <utility>
 
 namespace tetracone::verify {
 namespace scene_family {

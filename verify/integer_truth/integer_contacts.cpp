@@ -271,21 +271,6 @@ class Asked_pair {
   const Integer& denominator_;
 };
 
-/// Low and high corner of each face's box.
-std::vector<std::array<Integer_vector, 2>> boxes(const Integer_body& body)
-{
-  std::vector<std::array<Integer_vector, 2>> boxes;
-  for (Index f = 0; f < body.face_count(); ++f) {
-    boxes.push_back({body.corner(f), body.corner(f)});
-    for (const Index v : body.corners(f))
-      for (std::size_t k = 0; k < 3; ++k) {
-        boxes.back()[0][k] = std::min(boxes.back()[0][k], body.point(v)[k]);
-        boxes.back()[1][k] = std::max(boxes.back()[1][k], body.point(v)[k]);
-      }
-  }
-  return boxes;
-}
-
 }  // namespace
 
 Contact_forms contacts(const Object_case& c)
@@ -294,15 +279,10 @@ Contact_forms contacts(const Object_case& c)
   bring_together(points_a, points_b);
   const Integer denominator = points_a.denominator;
   const Integer_body a(*c.a, std::move(points_a.points)), b(*c.b, std::move(points_b.points));
-  const auto boxes_a = boxes(a), boxes_b = boxes(b);
+  const auto [boxes_a, boxes_b] = element_boxes(a, b);
   Contact_forms forms;
-  for (Index i = 0; i < a.face_count(); ++i)
-    for (Index j = 0; j < b.face_count(); ++j) {
-      bool meet = true;
-      for (std::size_t k = 0; k < 3; ++k)
-        meet = meet && boxes_a[i][0][k] <= boxes_b[j][1][k] && boxes_b[j][0][k] <= boxes_a[i][1][k];
-      if (meet) Asked_pair(a, i, b, j, denominator).add_to(forms);
-    }
+  for (const auto& [i, j] : meeting_boxes(boxes_a.faces, boxes_b.faces))
+    Asked_pair(a, i, b, j, denominator).add_to(forms);
   std::sort(forms.begin(), forms.end());
   return forms;
 }

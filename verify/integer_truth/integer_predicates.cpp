@@ -1,3 +1,4 @@
+#include "verify/cases/tetrahedron.h"
 #include "verify/integer_truth/integer_points.h"
 #include "verify/integer_truth/integer_truth.h"
 
@@ -157,11 +158,7 @@ int orientation(const Integer_vector& a, const Integer_vector& b, const Integer_
 int place_in_solid(const Predicate_case& c)
 {
   covering::Polyhedron faces, point;
-  faces.vertices.assign(c.v.begin(), c.v.end());
-  faces.add_polygon({0, 2, 1});
-  faces.add_polygon({0, 1, 3});
-  faces.add_polygon({1, 2, 3});
-  faces.add_polygon({2, 0, 3});
+  add_tetrahedron(faces, c.v);
   point.vertices = {c.p};
   point.add_polygon({0});
   const Object_case bodies = {std::make_shared<const covering::Polyhedron>(faces),

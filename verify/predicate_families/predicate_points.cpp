@@ -238,19 +238,6 @@ Frames true_rotations(Random& random, int size)
   return f;
 }
 
-Point preimage(const Pose& pose, const Point& x)
-{
-  if (pose.is_identity()) return x;
-  std::array<Point, 3> column;
-  for (int j = 0; j < 3; ++j) column[j] = {pose.exact(j), pose.exact(4 + j), pose.exact(8 + j)};
-  const Point y = difference(x, {pose.exact(3), pose.exact(7), pose.exact(11)});
-  const Rational determinant = dot(column[0], cross(column[1], column[2]));
-  const auto coordinate = [&](int j) -> Rational {
-    return dot(y, cross(column[(j + 1) % 3], column[(j + 2) % 3])) / determinant;
-  };
-  return {coordinate(0), coordinate(1), coordinate(2)};
-}
-
 std::optional<Predicate_case> placed(const Scene& scene, const Frames& frames)
 {
   return with_points(scene, frames, true);

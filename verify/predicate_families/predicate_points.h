@@ -28,6 +28,7 @@ using object_family::integer;
 using object_family::is_zero;
 using object_family::moved;
 using object_family::power_of_two;
+using object_family::preimage;
 using object_family::rounded;
 using object_family::shear_and_inverse;
 using object_family::signed_permutation;
@@ -124,9 +125,6 @@ Frames any_frames(Random& random);
 
 /// Frames a and b truly rotated, by quaternions of integers up to `size`.
 Frames true_rotations(Random& random, int size);
-
-/// Returns the point that the pose maps to x.
-Point preimage(const Pose& pose, const Point& x);
 
 /// Returns the case whose placed points are the scene, scaled and moved by `common`, exactly; nothing when a point is
 /// no double in its frame.

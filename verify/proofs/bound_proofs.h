@@ -47,8 +47,7 @@ inline Proved_bounds bound_proofs()
     for (auto& x : entries) x = entry(x);
     return kernel::dot(triple(entries, 0), triple(entries, 3));
   };
-  const std::vector<Slice> terms_of_dot = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
-  const Rational column = largest(slice_errors<Relative_64>(of_columns, terms_of_dot));
+  const Rational column = largest(slice_errors<Relative_64>(of_columns, slices_of_dot()));
   const Rational squares = once * once * once / (1 - 3 * column);
   const Rational roots = once * once * once * once;  // root, its factor, the radius' product and sum
   add("Bound_frame::stretch_rounding", Frame::stretch_rounding, Rational(squares * roots * roots - 1) / 2, 2.47);
@@ -56,10 +55,9 @@ inline Proved_bounds bound_proofs()
   // Squares of distances and radii: the roundings on the longest path.
   const std::array<Count, 3> point;
   const Count distance = kernel::squared_length(kernel::difference(point, point));
-  Rational most = 1;
-  for (int k = 0; k < distance.count(); ++k) most *= 1 + Rational(u);
   add("ball_distance_rounding", kernel::ball_distance_rounding,
-      most * lost(kernel::touching_distance_2(count, count)) - 1, 1.21, "rationals");
+      power(1 + Rational(u), distance.count()) * lost(kernel::touching_distance_2(count, count)) - 1, 1.21,
+      "rationals");
   const Rational radius = lost(distance + count) * once * once * once * once;
   add("ball_radius_rounding", kernel::ball_radius_rounding, Rational(radius - 1) / 2, 1.21, "rationals");
 
@@ -68,13 +66,7 @@ inline Proved_bounds bound_proofs()
   const auto interval = [](const auto& in) {
     return kernel::dot(triple(in, 0), triple(in, 3)) - kernel::dot(triple(in, 0), triple(in, 6));
   };
-  std::vector<Slice> terms_of_interval;
-  for (int k = 0; k < 3; ++k)
-    for (const int p : {3, 6}) {
-      Slice slice(9, 0);
-      slice[k] = slice[p + k] = 1;
-      terms_of_interval.push_back(slice);
-    }
+  const std::vector<Slice> terms_of_interval = slices_of_dot(9, {3, 6});
   const Count allowance_of_interval = (count + count + count * count) * kernel::norm_1(point) + count;
   const Rational projection =
       2 * largest(slice_errors<Relative_64>(interval, terms_of_interval)) * lost(allowance_of_interval);
@@ -142,16 +134,11 @@ inline Proved_bounds bound_proofs()
     const auto c = Cone::coordinate(p, triple(in, 3), in[6]);
     return Cone::form(std::array{c, zero, zero}, std::array{in[6], in[6], in[6]});
   };
-  std::vector<Slice> terms_of_form;
-  for (int k = 0; k < 3; ++k) {
-    Slice slice(7, 0);
-    slice[k] = slice[3 + k] = slice[6] = 1;
-    terms_of_form.push_back(slice);
-  }
   const Count absolute = Cone::coordinate(std::array{count * count, count, count}, point, count) * count * count;
   const std::string cone = "kernel/bound/cone_coordinates.h";
   add("Cone_coordinates::form_rounding", Cone::form_rounding,
-      largest(slice_errors<Relative_64>(form, terms_of_form)) * lost(absolute) + 3 * Rational(u) * 16 * Rational(u),
+      largest(slice_errors<Relative_64>(form, slices_of_dot(7, {3}, {6}))) * lost(absolute) +
+          3 * Rational(u) * 16 * Rational(u),
       2.01, "gappa", cone);
   // 1 less the errors is rounded as IEEE 754 does: below 1 by half of u. Where the errors are larger, `form_rounding`
   // has more slack than their rounding needs.

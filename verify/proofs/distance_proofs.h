@@ -79,15 +79,8 @@ inline Proved_bounds distance_proofs()
         in_triangle, Rational(error_within<Ieee_64>(expression, {coordinate, coordinate, coordinate, weight, weight}) /
                               Rational(low)));
   }
-  std::vector<Slice> terms_of_gap;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (const std::size_t p : {3, 6}) {
-      Slice slice(9, 0);
-      slice[k] = slice[p + k] = 1;
-      terms_of_gap.push_back(slice);
-    }
-  const Rational of_gap =
-      largest(slice_errors<Relative_64>([](const auto& in) { return detail::gap_along(in); }, terms_of_gap));
+  const Rational of_gap = largest(
+      slice_errors<Relative_64>([](const auto& in) { return detail::gap_along(in); }, slices_of_dot(9, {3, 6})));
   const Rational half_root_of_3 = Rational(8661) / 10000;
   const Rational point_rounding =
       half_root_of_3 * std::max(Rational(in_triangle + 2 * Rational(u)), of_gap) / power(down, 4);

@@ -29,13 +29,10 @@ std::array<Lanes<Number, 2>, 4> offset_terms(const std::vector<Number>& in)
 inline std::vector<Slice> slices_of_offset()
 {
   std::vector<Slice> slices;
-  for (const int body : {0, 7})
-    for (int k = 0; k < 4; ++k) {
-      Slice slice(14, 0);
-      slice[body + k] = 1;
-      if (k < 3) slice[body + 4 + k] = 1;
-      slices.push_back(slice);
-    }
+  for (const int body : {0, 7}) {
+    for (int k = 0; k < 3; ++k) slices.push_back(slice_of(14, {body + k, body + 4 + k}));
+    slices.push_back(slice_of(14, {body + 3}));
+  }
   return slices;
 }
 
@@ -92,7 +89,7 @@ inline Proved_bounds frame_proofs()
       2.01, "rationals");
 
   // Entries of f M^T N, and of f M^T D: products of columns |M_i| |N_j|, by Cauchy and Schwarz.
-  const std::vector<Slice> terms_of_dot = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
+  const std::vector<Slice> terms_of_dot = slices_of_dot();
   const auto of_columns = [](const auto& in, bool second_is_entry, bool scaled) {
     using Number = std::decay_t<decltype(in[0])>;
     std::array<Number, 12> p = {in[0], in[0], in[0], in[0], in[0], in[0], in[0], in[0], in[0], in[0], in[0], in[0]},
@@ -143,10 +140,8 @@ inline Proved_bounds frame_proofs()
 
   // The image of a point with error d < 2^-10: (norm + 2 error) d + error <= (1 + 2 d) (error + norm d); rho / (1 -
   // rho) for rho < `most_residual`; and some 30 roundings of the bounds themselves.
-  Rational roundings = 1;
-  for (int k = 0; k < 30; ++k) roundings *= once;
   add("Relative_frame::second_order", Frame::second_order,
-      (1 + 2 * Rational(0x1p-10)) / (1 - Rational(Frame::most_residual)) * roundings, 1, 1.009, "rationals");
+      (1 + 2 * Rational(0x1p-10)) / (1 - Rational(Frame::most_residual)) * power(once, 30), 1, 1.009, "rationals");
   return bounds;
 }
 

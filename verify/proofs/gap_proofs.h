@@ -62,7 +62,7 @@ Number beyond_edge(const std::vector<Number>& in)
 
 /// Inputs of a sweep along an axis.
 struct Sweep_place {
-  static constexpr std::size_t components = 0, centre = 3, shift = 6, bend = 9, axes = 18, end = 27;
+  static constexpr int components = 0, centre = 3, shift = 6, bend = 9, axes = 18, end = 27;
 };
 
 /// Returns the displacement along an axis with these components along the axes of the eight boxes. Shift and bend are
@@ -97,11 +97,7 @@ struct Losses_of_gap {
 template <bool fused>
 Losses_of_gap losses_of_gap()
 {
-  const auto slice = [](const std::vector<int>& places) {
-    Slice all(gap_inputs, 0);
-    for (const int place : places) all[std::size_t(place)] = 1;
-    return all;
-  };
+  const auto slice = [](const std::vector<int>& places) { return slice_of(gap_inputs, places); };
   const auto most = [](const auto& expression, const std::vector<Slice>& slices) {
     return largest(slice_errors<Relative_32>(expression, slices));
   };
@@ -172,7 +168,7 @@ inline Proved_bounds gap_proofs()
     const Floats n[3] = {entry(in[0]), entry(in[1]), entry(in[2])}, way[3] = {entry(in[3]), entry(in[4]), entry(in[5])};
     return kernel::HWY_NAMESPACE::along_axis(n, way).one();
   };
-  const std::vector<Slice> terms = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
+  const std::vector<Slice> terms = slices_of_dot();
   add("Carried_box::way_rounding", Carried_box::way_rounding,
       largest(slice_errors<Relative_32>(moved, terms)) * length * computed, u, 3.21, "gappa");
 
@@ -207,18 +203,15 @@ inline Proved_bounds gap_proofs()
   // Coordinates of a sweep are rounded to float. The axis has components n along the axes of the eight boxes. Its terms
   // are products of n_i and coordinate k of axis i. The sum of their magnitudes over i is at most the product of both
   // lengths. The sums with the centres' distance keep its error.
+  using Sweep = detail::Sweep_place;
   std::vector<Slice> terms_of_sweep;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t j = 0; j < 4; ++j) {
-        Slice slice(detail::Sweep_place::end, 0);
-        slice[detail::Sweep_place::components + i] = slice[detail::Sweep_place::axes + 3 * i + k] = 1;
-        if (j == 3)
-          slice[detail::Sweep_place::shift + k] = 1;
-        else
-          slice[detail::Sweep_place::centre + j] = slice[detail::Sweep_place::bend + 3 * k + j] = 1;
-        terms_of_sweep.push_back(slice);
-      }
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const int component = Sweep::components + i, axis = Sweep::axes + 3 * i + k;
+      for (int j = 0; j < 3; ++j)
+        terms_of_sweep.push_back(slice_of(Sweep::end, {component, axis, Sweep::centre + j, Sweep::bend + 3 * k + j}));
+      terms_of_sweep.push_back(slice_of(Sweep::end, {component, axis, Sweep::shift + k}));
+    }
   const Rational of_sweep =
       largest(slice_errors<Relative_32>([](const auto& in) { return detail::way_of_sweep(in).one(); }, terms_of_sweep));
   bounds.push_back({"sweep_rounding", "kernel/bound/obb8_sweep.h", Rational(kernel::sweep_rounding),

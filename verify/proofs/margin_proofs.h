@@ -137,12 +137,8 @@ inline Proved_bounds margin_proofs()
   };
   std::vector<Slice> terms_of_reach;
   for (int k = 0; k < 3; ++k)
-    for (const int place : {3, 6, 9}) {
-      Slice slice(21, 0);
-      slice[k] = slice[place + k] = 1;
-      if (place == 9) slice[18] = 1;
-      terms_of_reach.push_back(slice);
-    }
+    for (const int place : {3, 6, 9})
+      terms_of_reach.push_back(slice_of(21, place == 9 ? std::vector{k, 9 + k, 18} : std::vector{k, place + k}));
   const Rational most = largest(slice_errors<Relative_32>(reach, terms_of_reach));
   add("Support_table::box_reach_rounding", "tetratree/fast/support_table.h", Support_table::box_reach_rounding,
       most * Rational(20, 16) * (2 + 2 + 8), of_float, 1.23, "gappa");

@@ -80,9 +80,7 @@ inline Rational error_of_value(std::size_t count)
   }
   // The error of x, times the slope. The sum is of truncated coefficients; it, its products and the bound's sum are
   // rounded too.
-  Rational rounded = (worst + 3 * u * int(count - 1)) / int(count);
-  for (std::size_t k = 0; k < count + 4; ++k) rounded *= once;
-  return rounded;
+  return (worst + 3 * u * int(count - 1)) / int(count) * power(once, int(count) + 4);
 }
 
 }  // namespace detail

@@ -53,9 +53,8 @@ inline Proved_bounds nearest_proofs()
   };
 
   const std::string of_frame = "kernel/bound/common_frame.h";
-  const std::vector<Slice> terms_of_image = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
   add("Common_frame::image_rounding", of_frame, Frame::image_rounding,
-      largest(slice_errors<Relative_64>([](const auto& in) { return detail::image_in_common(in); }, terms_of_image)),
+      largest(slice_errors<Relative_64>([](const auto& in) { return detail::image_in_common(in); }, slices_of_dot())),
       unit, 1.34, "gappa");
   // One sum of a number whose own error is below 8 u.
   add("Common_frame::way_rounding", of_frame, Frame::way_rounding, u * (1 + 8 * u), unit, 2.01);
@@ -77,12 +76,10 @@ inline Proved_bounds nearest_proofs()
   // squares count thrice at most, as |x|^2 + |x| |y| + |x| |z| does 2 |x|^2 + (|y|^2 + |z|^2) / 2. The rest is rounded,
   // with the sum of squares.
   std::vector<Slice> squares, products;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Slice square(9, 0), second(9, 0), third(9, 0);
-    square[k] = second[k] = second[3 + k] = third[k] = third[6 + k] = 1;
-    squares.push_back(square);
-    products.push_back(second);
-    products.push_back(third);
+  for (int k = 0; k < 3; ++k) {
+    squares.push_back(slice_of(9, {k}));
+    products.push_back(slice_of(9, {k, 3 + k}));
+    products.push_back(slice_of(9, {k, 6 + k}));
   }
   Rational of_row = 0;
   for (const auto& slices : {squares, products}) {

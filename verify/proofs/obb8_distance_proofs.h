@@ -47,10 +47,8 @@ Rational rounding_of_way(Frame_of frame)
   using Place = Box_test<double, true>;
   std::vector<Slice> slices;
   const auto add = [&](const std::vector<int>& places) {
-    Slice slice(distance_inputs, 0);
-    slice[way_in_frame] = 1;
-    for (const int place : places) slice[std::size_t(place)] = 1;
-    slices.push_back(slice);
+    slices.push_back(slice_of(distance_inputs, places));
+    slices.back()[way_in_frame] = 1;
   };
   // Along axis 0 of the eight boxes, or along edge 0, which the directions turn from its first coordinate.
   for (int k = 0; k < 3; ++k)
@@ -96,9 +94,7 @@ inline Proved_bounds obb8_distance_proofs()
   // The square of the length of a way of such axes is off by 3 times their defect. A quotient of squares has 5
   // roundings. The root halves all of these, and is rounded. The product with the stretch is rounded once, and the
   // stretch twice.
-  Rational roundings = 1;
-  for (int k = 0; k < 1 + 1 + 2 + 3; ++k) roundings *= 1 + roundoff;
-  const Rational length = 1 + Rational(3, 2) * carried;
+  const Rational roundings = power(1 + roundoff, 1 + 1 + 2 + 3), length = 1 + Rational(3, 2) * carried;
   bounds.push_back({"distance_shrink", file, 1 - Rational(kernel::distance_shrink), 1 - 1 / (length * roundings), u,
                     2.73, "rationals"});
   return bounds;

@@ -38,21 +38,12 @@ void enlarge(Ray_shares& shares)
     using Floats = Axis_number<Number, fused>;
     return simd::entry_of_slab(Floats(in[0]), Floats(Number(1) / in[1]), Floats(in[2] + in[3])).one();
   };
-  const auto terms = [](int first, std::size_t inputs) {
-    std::vector<Slice> slices;
-    for (int k = 0; k < 3; ++k) {
-      Slice slice(inputs, 0);
-      slice[std::size_t(k)] = slice[std::size_t(first + k)] = 1;
-      slices.push_back(slice);
-    }
-    return slices;
-  };
   const auto enlarged = [](Rational& share, const std::vector<Rational>& errors) {
     share = std::max(share, largest(errors));
   };
-  enlarged(shares.from, slice_errors<Relative_32>(place, terms(3, 9)));
-  enlarged(shares.centre, slice_errors<Relative_32>(place, terms(6, 9)));
-  enlarged(shares.step, slice_errors<Relative_32>(step, terms(3, 6)));
+  enlarged(shares.from, slice_errors<Relative_32>(place, slices_of_dot(9, {3})));
+  enlarged(shares.centre, slice_errors<Relative_32>(place, slices_of_dot(9, {6})));
+  enlarged(shares.step, slice_errors<Relative_32>(step, slices_of_dot()));
   enlarged(shares.at, slice_errors<Relative_32>(enters, {{1, 1, 0, 0}}));
   enlarged(shares.reach, slice_errors<Relative_32>(enters, {{0, 1, 1, 0}, {0, 1, 0, 1}}));
 }

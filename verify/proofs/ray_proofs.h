@@ -28,7 +28,7 @@ inline Proved_bounds ray_proofs()
   using Ray = kernel::Ray_triangle;
   const double u = kernel::unit_roundoff<double>;
   // Magnitudes are of rounded differences; a bound is a product of at most three such.
-  const Rational once = 1 / (1 - Rational(u)), few = once * once * once * once * once * once;
+  const Rational once = 1 / (1 - Rational(u)), few = power(once, 6);
   Proved_bounds bounds;
   const auto add = [&](const std::string& name, double in_code, const Rational& proved, double unit, double loosest,
                        const std::string& by = "gappa") {
@@ -45,8 +45,7 @@ inline Proved_bounds ray_proofs()
   add("Ray_triangle::plane_rounding", Ray::plane_rounding, (of_corner + of_direction) * few, u, 2.04);
 
   // A difference or a sum, a quotient and a product.
-  const Rational u_exact(u), less = (1 - u_exact) * (1 - u_exact) * (1 - u_exact);
-  add("Ray_triangle::time_rounding", Ray::time_rounding, 1 / less - 1, u, 2.67, "rationals");
+  add("Ray_triangle::time_rounding", Ray::time_rounding, power(once, 3) - 1, u, 2.67, "rationals");
 
   const auto wide = [](const auto& in) { return detail::determinant_of_differences<0>(in); };
   const Rational of_products = sum(slice_errors<Relative_double_double>(wide, slices_of_determinant()));

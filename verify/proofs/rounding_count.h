@@ -1,14 +1,12 @@
 #ifndef TETRACONE_VERIFY_PROOFS_ROUNDING_COUNT_H
 #define TETRACONE_VERIFY_PROOFS_ROUNDING_COUNT_H
 
-#include "tetracone/kernel/number/number.h"
+#include "verify/proofs/proved_bound.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace tetracone::verify::proofs {
-
-using kernel::Rational;
 
 /// A computed number that is not negative, made by sums and products of such numbers. It is between (1 - u)^n and (1 +
 /// u)^n times the exact one, where n is the number of roundings on the longest path to it. An expression run with these
@@ -42,12 +40,7 @@ class Rounding_count {
   int count() const { return count_; }
 
   /// (1 - u)^n.
-  Rational least(const Rational& u) const
-  {
-    Rational factor = 1;
-    for (int k = 0; k < count_; ++k) factor *= 1 - u;
-    return factor;
-  }
+  Rational least(const Rational& u) const { return power(Rational(1 - u), count_); }
 
  private:
   static Rounding_count of(int count)

@@ -52,9 +52,7 @@ tetratree::Step_of_row<Lanes<Number, 2>> step_of_row(std::vector<Number> in, boo
 /// roundings after the root.
 inline Rational lost_with_root(const Rounding_count& of_square, int after, const Rational& u)
 {
-  Rational square = of_square.least(u);
-  for (int k = 0; k < 2 * after; ++k) square *= 1 - u;
-  return (1 / square - 1) / 2;  // the root of 1 + x is at most 1 + x / 2
+  return (1 / (of_square.least(u) * power(1 - u, 2 * after)) - 1) / 2;  // the root of 1 + x is at most 1 + x / 2
 }
 
 /// Returns the absolute error by underflow of a box of an image, for any entries, where |c_j| and half_j have these
@@ -112,14 +110,8 @@ inline Proved_bounds scene_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
   };
 
-  std::vector<Slice> terms;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (const std::size_t factor : {4, 7}) {
-      Slice slice(10, 0);
-      slice[k] = slice[factor + k] = 1;
-      terms.push_back(slice);
-    }
-  terms.push_back({0, 0, 0, 1, 0, 0, 0, 0, 0, 0});
+  std::vector<Slice> terms = slices_of_dot(10, {4, 7});
+  terms.push_back(slice_of(10, {3}));
   const Rounding_count of_terms = detail::placed_by_entries(std::vector<Rounding_count>(10)).terms * Rounding_count();
   const Rational lost = 1 / of_terms.least(Rational(u));
   // The difference with the slack is rounded down to the next double.
@@ -136,12 +128,8 @@ inline Proved_bounds scene_proofs()
 
   // A step, summed over rows: both centres are off, and the entries of what turns, each rounded once, by less.
   std::vector<Slice> terms_of_step;
-  for (std::size_t k = 0; k < 4; ++k) {
-    Slice slice(15, 0);
-    slice[4 + k] = slice[14] = 1;
-    if (k < 3) slice[8 + k] = 1;
-    terms_of_step.push_back(slice);
-  }
+  for (int k = 0; k < 3; ++k) terms_of_step.push_back(slice_of(15, {4 + k, 8 + k, 14}));
+  terms_of_step.push_back(slice_of(15, {7, 14}));
   const auto at_of_step = [](const auto& in) {
     const auto row = detail::step_of_row(in);
     return row.at[0] + row.at[1];
@@ -167,8 +155,7 @@ inline Proved_bounds scene_proofs()
   // Absolute errors, over that of one product or entry. What `Body_extent::underflow` loses itself is a share of it: a
   // product and six sums.
   const Rational one_loss = Double_range::lost_by_product();
-  Rational of_underflow = 1;
-  for (int k = 0; k < 7; ++k) of_underflow *= 1 / (1 - Rational(u));
+  const Rational of_underflow = power(1 / (1 - Rational(u)), 7);
   const Rational growth = std::max({detail::growth([](double x) { return detail::lost_by_box(x, 0); }),
                                     detail::growth([](double x) { return detail::lost_by_box(0, x); }),
                                     detail::growth([](double x) { return detail::lost_by_step(x, 0); }),
@@ -192,14 +179,11 @@ inline Proved_bounds scene_proofs()
   // The change, squared and summed up, and its share of what was rounded before; against what is left, which is a
   // difference, squared and multiplied.
   const Rounding_count change = Rounding_count() * Rounding_count();
-  Rational squares = 1;
-  for (int k = 0; k < (change + change + change).count() + 4; ++k) squares *= once_less;
-  for (int k = 0; k < 4; ++k) squares /= 1 + Rational(u);
+  const Rational squares = power(once_less, (change + change + change).count() + 4) / power(1 + Rational(u), 4);
   add("certificate_rounding", certificates, tetratree::certificate_rounding, 1 - squares, u, 11.7);
   const Rounding_count sum_of_two = tetratree::sum_below(Rounding_count(), entry(Rounding_count()));
-  Rational most_of_sum = 1;
-  for (int k = 0; k < sum_of_two.count(); ++k) most_of_sum *= 1 + Rational(u);
-  add("sum_rounding, of certificates", certificates, tetratree::sum_rounding, most_of_sum - 1, u, 1.34);
+  add("sum_rounding, of certificates", certificates, tetratree::sum_rounding,
+      power(1 + Rational(u), sum_of_two.count()) - 1, u, 1.34);
 
   // A body's box. Its own numbers are differences that were rounded twice, and then once to float, which may make them
   // larger. The places' difference is rounded once before.

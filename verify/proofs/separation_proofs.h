@@ -28,7 +28,7 @@ inline Proved_bounds separation_proofs()
   const auto turned = [](const auto& in) {
     return Separating_direction::turned_back_by(in[0], in[1], in[2], entry(in[3]), entry(in[4]), entry(in[5]));
   };
-  const std::vector<Slice> terms = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
+  const std::vector<Slice> terms = slices_of_dot();
   bounds.push_back({"rounding of rows", direction, Rational(Separating_direction::rounding * u),
                     largest(slice_errors<Relative_32>(turned, terms)) * once + 2 * Rational(of_double), u, 1.51,
                     "gappa"});
@@ -49,18 +49,13 @@ inline Proved_bounds separation_proofs()
     return part(0) + part(1);
   };
   std::vector<Slice> terms_of_offset;
-  for (int k = 0; k < 8; ++k) {
-    Slice slice(10, 0);
-    slice[k] = slice[8 + k % 2] = 1;
-    terms_of_offset.push_back(slice);
-  }
+  for (int k = 0; k < 8; ++k) terms_of_offset.push_back(slice_of(10, {k, 8 + k % 2}));
   bounds.push_back({"rounding of D in double", direction, Rational(Separating_direction::rounding * of_double),
                     largest(slice_errors<Relative_64>(offset, terms_of_offset)) * once, of_double, 1.21, "gappa"});
 
   // The position of a direction in the lattice; 2 of 3 coordinates move the third as well.
   const Rounding_count count, norm = sum_of_lanes(std::array{count, count, count, count});
-  Rational place = 1 / Support_table::scaled(count, norm).least(roundoff) - 1;
-  place *= 2;
+  const Rational place = 2 * (1 / Support_table::scaled(count, norm).least(roundoff) - 1);
   // Weights: of corner 0, in IEEE's own numbers; of its opposite the same, and then two more are sums with it.
   const auto rest = [](const auto& in) { return Support_table::weight_of_first(in[0], in[1]); };
   const auto second = [](const auto& in) { return in[0] + Support_table::weight_of_first(in[0], in[1]); };
@@ -76,11 +71,7 @@ inline Proved_bounds separation_proofs()
     return sum_of_lanes(std::array{lane(0), lane(1), lane(2), lane(3)});
   };
   std::vector<Slice> terms_of_reach;
-  for (int k = 0; k < 4; ++k) {
-    Slice slice(9, 0);
-    slice[k] = slice[4 + k] = slice[8] = 1;
-    terms_of_reach.push_back(slice);
-  }
+  for (int k = 0; k < 4; ++k) terms_of_reach.push_back(slice_of(9, {k, 4 + k, 8}));
   // Reaches of both tables are added before.
   const Rational sums = (largest(slice_errors<Relative_32>(reach, terms_of_reach)) + roundoff) * corner * once;
   bounds.push_back({"Support_table::slack", table, Rational(Support_table::slack), (place + weights + sums) * once, u,

@@ -22,6 +22,28 @@ inline std::vector<Slice> slices_of_sum(std::size_t n)
   return slices;
 }
 
+/// Returns the slice of n inputs that has 1 in these places.
+inline Slice slice_of(std::size_t n, const std::vector<int>& places)
+{
+  Slice slice(n, 0);
+  for (const int place : places) slice[std::size_t(place)] = 1;
+  return slice;
+}
+
+/// Returns the slices of a sum of scalar products of n inputs: the first three times the three from each of `factors`
+/// on. Each slice has the inputs `always`, too.
+inline std::vector<Slice> slices_of_dot(std::size_t n = 6, const std::vector<int>& factors = {3},
+                                        const std::vector<int>& always = {})
+{
+  std::vector<Slice> slices;
+  for (int k = 0; k < 3; ++k)
+    for (const int factor : factors) {
+      slices.push_back(slice_of(n, always));
+      slices.back()[std::size_t(k)] = slices.back()[std::size_t(factor + k)] = 1;
+    }
+  return slices;
+}
+
 /// Returns the 6 slices of a determinant. Its nine entries are the inputs, row by row.
 inline std::vector<Slice> slices_of_determinant()
 {

@@ -112,6 +112,34 @@ inline std::optional<Changed_body> split_inside(const covering::Polyhedron& what
   return changed ? std::optional(std::move(result)) : std::nullopt;
 }
 
+/// Returns the body without a face; nothing when it has no other.
+inline std::optional<covering::Polyhedron> without_a_face(const covering::Polyhedron& what, Random& random)
+{
+  if (what.face_count() < 2) return std::nullopt;
+  const auto without = covering::Index(one_of(random, what.face_count()));
+  covering::Polyhedron rest;
+  rest.vertices = what.vertices;
+  for (covering::Index f = 0; f < what.face_count(); ++f)
+    if (f != without) rest.add_face(loops_of(what, f));
+  return rest;
+}
+
+/// The least and the greatest coordinates of a body's vertices, and the longest side between them.
+struct Corners {
+  kernel::Vertex low, high;
+  double extent = 0;
+
+  explicit Corners(const covering::Polyhedron& what) : low(what.vertices[0]), high(low)
+  {
+    for (const kernel::Vertex& v : what.vertices)
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], v[k]);
+        high[k] = std::max(high[k], v[k]);
+      }
+    for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, high[k] - low[k]);
+  }
+};
+
 /// Returns the body with change(v) for each vertex v; nothing when one is no vertex of doubles.
 template <class Change>
 std::optional<covering::Polyhedron> with_vertices(const covering::Polyhedron& what, const Change& change)

@@ -12,7 +12,6 @@
 namespace tetracone::verify {
 namespace {
 
-using covering::Polyhedron;
 using kernel::Question;
 using kernel::Rational;
 
@@ -77,14 +76,11 @@ Verdict as_far_split(const Distance_level::Trial& t) { return times_as_far(t, 1,
 /// Relation of the surfaces: a body that loses a face does not get nearer.
 Verdict a_face_less(const Distance_level::Trial& t)
 {
-  if (t.question != Question::surface || t.c.a->face_count() < 2) return Verdict::not_applicable;
-  const auto without = covering::Index(one_of(t.random, t.c.a->face_count()));
-  Polyhedron rest;
-  rest.vertices = t.c.a->vertices;
-  for (covering::Index f = 0; f < t.c.a->face_count(); ++f)
-    if (f != without) rest.add_face(loops_of(*t.c.a, f));
+  if (t.question != Question::surface) return Verdict::not_applicable;
+  auto rest = without_a_face(*t.c.a, t.random);
+  if (!rest) return Verdict::not_applicable;
   Object_case twin = t.c;
-  twin.a = as_shared(std::move(rest));
+  twin.a = as_shared(std::move(*rest));
   return verdict(t.subject.distance(twin, t.question), [&](const Distance_answer& told) {
     return Rational(told.nearest.squared) >= Rational(t.given.nearest.squared);
   });

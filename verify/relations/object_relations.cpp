@@ -236,27 +236,11 @@ std::optional<Polyhedron> backwards(const Polyhedron& what, Random&) { return wo
 
 // --- more and less of a body -----------------------------------------------------------------------------------------
 
-struct Corners {
-  Vertex low, high;
-  double extent;
-};
-Corners corners_of(const Polyhedron& what)
-{
-  Corners box{what.vertices[0], what.vertices[0], 0};
-  for (const Vertex& v : what.vertices)
-    for (int k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], v[k]);
-      box.high[k] = std::max(box.high[k], v[k]);
-    }
-  for (int k = 0; k < 3; ++k) box.extent = std::max(box.extent, box.high[k] - box.low[k]);
-  return box;
-}
-
 /// Returns the body with one more tetrahedron: anywhere about it or, because winding numbers of nested shells add up
 /// and may cancel, beside its box.
 std::optional<Polyhedron> with_tetrahedron(const Polyhedron& what, bool beside, Random& random)
 {
-  const Corners box = corners_of(what);
+  const Corners box(what);
   Vertex corner;
   for (int k = 0; k < 3; ++k) corner[k] = box.low[k] + random.unit() * box.extent;
   const std::size_t axis = one_of(random, 3);
@@ -289,11 +273,9 @@ Verdict removing(const Object_level::Trial& t)
   if (t.question != Question::surface) return Verdict::not_applicable;
   Object_case twin = t.c;
   Posed_body it = body(twin, one_of(t.random, 2));
-  if (it.polyhedron->face_count() < 2) return Verdict::not_applicable;
-  const Index removed = one_of(t.random, it.polyhedron->face_count());
-  it.become(with_faces(it.polyhedron->vertices, *it.polyhedron, [&](Index f, const Loops& loops, Polyhedron& result) {
-    if (f != removed) result.add_face(loops);
-  }));
+  auto rest = without_a_face(*it.polyhedron, t.random);
+  if (!rest) return Verdict::not_applicable;
+  it.become(std::move(*rest));
   if (ask(t, t.c) != false) return Verdict::not_applicable;
   const Answer with_less = ask(t, twin);
   return !with_less ? Verdict::not_applicable : *with_less ? Verdict::violated : Verdict::holds;
@@ -306,7 +288,7 @@ Verdict removing(const Object_level::Trial& t)
 std::optional<Polyhedron> with_unused_vertices(const Polyhedron& what, Random& random)
 {
   Polyhedron result = what;
-  const Corners box = corners_of(what);
+  const Corners box(what);
   Vertex unused = what.vertices[one_of(random, what.vertices.size())];
   if (one_of(random, 2) == 0)
     for (double& coordinate : unused) coordinate += 8 * box.extent * random.symmetric();

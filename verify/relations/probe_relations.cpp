@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
-#include <vector>
 
 namespace tetracone::verify {
 namespace {

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace tetracone::verify {

@@ -87,12 +87,8 @@ Verdict same_in_any_order(const Solid_level::Trial& t)
 /// doubles.
 std::optional<Polyhedron> box_about(const Polyhedron& what, Random& random)
 {
-  kernel::Vertex low = what.vertices[0], high = low;
-  for (const kernel::Vertex& v : what.vertices)
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], v[k]);
-      high[k] = std::max(high[k], v[k]);
-    }
+  Corners about(what);
+  kernel::Vertex &low = about.low, &high = about.high;
   for (std::size_t k = 0; k < 3; ++k) {
     if (!(low[k] < high[k])) return std::nullopt;
     if (one_of(random, 2) == 0) low[k] = std::nextafter(low[k], -HUGE_VAL);

@@ -21,10 +21,9 @@ using Direction = tetratree::Separating_direction;
 /// A coordinate of points with two roundings of their own, by entries that are rounded fractions.
 double image(const Inputs& in)
 {
-  std::array<Number, 4> entry = tracked<double, 4>(in, 0);
+  const std::array<Number, 4> entry = rounded_once<double, 4>(in, 0, 7);
   std::array<Number, 3> point = tracked<double>(in, 4);
   double reach = 0;
-  for (int k = 0; k < 4; ++k) entry[k] = rounded_once<double>(in[k], in[7 + k]);
   for (int k = 0; k < 3; ++k) {
     reach = std::max(reach, std::abs(in[4 + k]));
     point[k].exact *= 1 + 2 * Rational(u) * Rational(std::clamp(in[11 + k], -0.99, 0.99));
@@ -49,9 +48,8 @@ double magnitude(const Inputs& in)
 /// The largest row sum of |M^T M| over the computed one, for entries that are rounded fractions; halved for the root.
 double stretch(const Inputs& in)
 {
-  std::array<std::array<Number, 3>, 3> column = {tracked<double>(in, 0), tracked<double>(in, 3),
-                                                 tracked<double>(in, 6)};
-  for (int k = 0; k < 9; ++k) column[k / 3][k % 3] = rounded_once<double>(in[k], in[9 + k]);
+  const std::array column = {rounded_once<double>(in, 0, 9), rounded_once<double>(in, 3, 12),
+                             rounded_once<double>(in, 6, 15)};
   double computed = 0;
   Rational exact = 0;
   for (int i = 0; i < 3; ++i) {
@@ -116,9 +114,7 @@ double determinant(const Inputs& in)
 double form(const Inputs& in)
 {
   using Cone = kernel::Cone_coordinates<double, true>;
-  std::array<Number, 3> p = tracked<double>(in, 0);
-  for (int k = 0; k < 3; ++k) p[k] = rounded_once<double>(in[k], in[8 + k]);
-  const auto normal = tracked<double>(in, 3);
+  const auto p = rounded_once<double>(in, 0, 8), normal = tracked<double>(in, 3);
   const Number scale(1 + std::abs(in[6])), length(1 + std::abs(in[7])), zero(0);
   const Number c = Cone::coordinate(p, normal, scale);
   return ratio(Cone::form(std::array{c, zero, zero}, std::array{length, length, length}).error(),
@@ -135,10 +131,7 @@ double one(const Inputs& in)
 
 double turned_back(const Inputs& in)
 {
-  using Float = Tracked<float>;
-  const auto m = tracked<float>(in, 0);
-  const std::array<Float, 3> row = {rounded_once<float>(in[3], in[6]), rounded_once<float>(in[4], in[7]),
-                                    rounded_once<float>(in[5], in[8])};
+  const auto m = tracked<float>(in, 0), row = rounded_once<float>(in, 3, 6);
   return ratio(Direction::turned_back_by(m[0], m[1], m[2], row[0], row[1], row[2]).error(),
                detail::sum_of_terms(m, row)) /
          u_of_float;
@@ -146,11 +139,8 @@ double turned_back(const Inputs& in)
 
 double gap(const Inputs& in)
 {
-  using Float = Tracked<float>;
-  const auto m = tracked<float>(in, 0);
-  const std::array<Float, 3> apart = {rounded_once<float>(in[3], in[6]), rounded_once<float>(in[4], in[7]),
-                                      rounded_once<float>(in[5], in[8])};
-  const Float zero(0);
+  const auto m = tracked<float>(in, 0), apart = rounded_once<float>(in, 3, 6);
+  const Tracked<float> zero(0);
   const auto lane = [&](int k) { return Direction::lanes_of_gap(m[k], apart[k], zero); };
   return ratio(((lane(0) + lane(1)) + (lane(2) + zero)).error(), detail::sum_of_terms(m, apart)) / u_of_float;
 }

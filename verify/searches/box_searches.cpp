@@ -34,12 +34,9 @@ struct Boxes {
   /// Column k of a quaternion's rotation, in float.
   static std::array<float, 3> column(const Inputs& in, int q, int k)
   {
-    const double w = in[q], x = in[q + 1], y = in[q + 2], z = in[q + 3], norm = w * w + x * x + y * y + z * z;
-    const double m[3][3] = {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-                            {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-                            {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
-    if (!(norm > 0)) return {float(k == 0), float(k == 1), float(k == 2)};
-    return {float(m[0][k] / norm), float(m[1][k] / norm), float(m[2][k] / norm)};
+    const auto m = detail::rotation(in, q);
+    if (std::isnan(m[0][0])) return {float(k == 0), float(k == 1), float(k == 2)};
+    return {float(m[0][k]), float(m[1][k]), float(m[2][k])};
   }
 
   /// An edge of any map: also of length 1, but with its own direction.

@@ -76,14 +76,10 @@ double fraction(const Inputs& in)
 /// The entries of a pose that turns, each with a rounding error: row by row, without translation.
 std::array<Number, 12> turning(const Inputs& in)
 {
-  const double w = in[0], x = in[1], y = in[2], z = in[3], norm = w * w + x * x + y * y + z * z;
-  const std::array<double, 9> m = {
-      w * w + x * x - y * y - z * z, 2 * (x * y - w * z),           2 * (x * z + w * y),
-      2 * (x * y + w * z),           w * w - x * x + y * y - z * z, 2 * (y * z - w * x),
-      2 * (x * z - w * y),           2 * (y * z + w * x),           w * w - x * x - y * y + z * z};
+  const auto m = detail::rotation(in, 0);
   const Number zero(0);
   std::array<Number, 12> entries = {zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  for (int k = 0; k < 9; ++k) entries[4 * (k / 3) + k % 3] = rounded_once<double>(m[k] / norm, in[4 + k]);
+  for (int k = 0; k < 9; ++k) entries[4 * (k / 3) + k % 3] = rounded_once<double>(m[k / 3][k % 3], in[4 + k]);
   return entries;
 }
 
@@ -113,7 +109,7 @@ double image_of_products(const Inputs& in)
   std::array<std::array<Number, 3>, 3> column = {offset, offset, offset};
   double terms = detail::sum_of_terms(row, offset);
   for (int j = 0; j < 3; ++j) {
-    for (int k = 0; k < 3; ++k) column[j][k] = rounded_once<double>(in[3 + 3 * j + k], in[18 + 3 * j + k]);
+    column[j] = rounded_once<double>(in, 3 + 3 * j, 18 + 3 * j);
     terms += detail::sum_of_terms(row, column[j]) * std::abs(in[15 + j]);
   }
   const Number one(1);
@@ -144,9 +140,7 @@ double image_of_transposed(const Inputs& in)
 
 double residual(const Inputs& in)
 {
-  const auto row = tracked<double>(in, 0);
-  std::array<Number, 3> column = row;
-  for (int k = 0; k < 3; ++k) column[k] = rounded_once<double>(in[3 + k], in[6 + k]);
+  const auto row = tracked<double>(in, 0), column = rounded_once<double>(in, 3, 6);
   return ratio(Frame::product_sum(Number(-1), row, column).error(), 1 + detail::sum_of_terms(row, column)) / u;
 }
 

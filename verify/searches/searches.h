@@ -89,6 +89,24 @@ Tracked<Float> rounded_once(double x, double e)
   return {computed, Rational(Rational(computed) *
                              (1 + Rational(std::clamp(e, -most, most)) * Rational(kernel::unit_roundoff<Float>)))};
 }
+/// Returns the n inputs from `first` on, with the errors that the n inputs from `errors` on give.
+template <class Float, std::size_t n = 3>
+std::array<Tracked<Float>, n> rounded_once(const Inputs& in, int first, int errors)
+{
+  std::array<Tracked<Float>, n> all = tracked<Float, n>(in, first);
+  for (std::size_t k = 0; k < n; ++k) all[k] = rounded_once<Float>(in[first + k], in[errors + k]);
+  return all;
+}
+
+/// Returns the rotation of the quaternion (w, x, y, z) from `first` on, row by row; that of a null quaternion is NaN.
+inline std::array<std::array<double, 3>, 3> rotation(const Inputs& in, int first)
+{
+  const double w = in[first], x = in[first + 1], y = in[first + 2], z = in[first + 3],
+               norm = w * w + x * x + y * y + z * z;
+  return {{{(w * w + x * x - y * y - z * z) / norm, 2 * (x * y - w * z) / norm, 2 * (x * z + w * y) / norm},
+           {2 * (x * y + w * z) / norm, (w * w - x * x + y * y - z * z) / norm, 2 * (y * z - w * x) / norm},
+           {2 * (x * z - w * y) / norm, 2 * (y * z + w * x) / norm, (w * w - x * x - y * y + z * z) / norm}}};
+}
 
 /// Returns the sum of the magnitudes of the terms of a scalar product.
 template <class Float>

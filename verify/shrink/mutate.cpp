@@ -33,14 +33,7 @@ double nudged(double x, Random& random)
 std::optional<Vertex> across(const Case_numbers& n, int body, std::size_t i)
 {
   using namespace object_family;
-  const Pose& pose = n.poses[body];
-  const auto column = [&](int k) { return Exact_vector{pose.exact(k), pose.exact(4 + k), pose.exact(8 + k)}; };
-  const Exact_vector x = column(0), y = column(1), z = column(2);
-  const Exact_vector target = difference(image(n.poses[1 - body], exact(n.points[1 - body][i])), column(3));
-  // Cramer's rule.
-  const kernel::Rational whole = dot(x, cross(y, z));
-  const Exact_vector at = {dot(target, cross(y, z)), dot(x, cross(target, z)), dot(x, cross(y, target))};
-  const Vertex result = rounded(times(kernel::Rational(1 / whole), at));
+  const Vertex result = rounded(preimage(n.poses[body], image(n.poses[1 - body], exact(n.points[1 - body][i]))));
   return std::all_of(result.begin(), result.end(), [](double coordinate) { return std::isfinite(coordinate); })
              ? std::optional(result)
              : std::nullopt;

@@ -20,9 +20,6 @@ enum class Stage {
   leaf_sign,
   containment
 };
-inline constexpr std::array all_stages = {
-    Stage::pose,         Stage::classification, Stage::bounding_sphere, Stage::bounding_tetrahedron,
-    Stage::regular_hull, Stage::bounding_box,   Stage::leaf_sign,       Stage::containment};
 
 inline const char* to_string(Stage stage)
 {

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <iterator>
 #include <limits>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -217,43 +215,46 @@ std::vector<Object_subject> object_subjects()
   return subjects;
 }
 
-std::vector<Object_subject> feature_subjects()
+namespace {
+
+/// Returns those of `object_subjects` that keep(subject) keeps.
+template <class Keep>
+std::vector<Object_subject> some_subjects(const Keep& keep)
 {
   std::vector<Object_subject> subjects = object_subjects();
-  std::erase_if(subjects, [](const Object_subject& subject) {
-    const Subject& own = *subject.own;
-    if (own.remembers || own.whole_faces || own.method == Method::tuned) return true;
-    return own.method != Method::tree && own.kernel != Kernel_name::adaptive && own.kernel != Kernel_name::double_;
-  });
+  std::erase_if(subjects, [&](const Object_subject& subject) { return !keep(*subject.own); });
   return subjects;
+}
+
+}  // namespace
+
+std::vector<Object_subject> feature_subjects()
+{
+  return some_subjects([](const Subject& own) {
+    if (own.remembers || own.whole_faces || own.method == Method::tuned) return false;
+    return own.method == Method::tree || own.kernel == Kernel_name::adaptive || own.kernel == Kernel_name::double_;
+  });
 }
 
 std::vector<Object_subject> contact_subjects()
 {
-  std::vector<Object_subject> subjects = object_subjects();
-  std::erase_if(subjects, [](const Object_subject& subject) {
-    const Subject& own = *subject.own;
-    if (!own.is_exact() || own.remembers || own.method == Method::tuned) return true;
-    return own.method != Method::tree && own.kernel != Kernel_name::adaptive;
+  return some_subjects([](const Subject& own) {
+    if (!own.is_exact() || own.remembers || own.method == Method::tuned) return false;
+    return own.method == Method::tree || own.kernel == Kernel_name::adaptive;
   });
-  return subjects;
 }
 
 std::vector<Object_subject> distance_subjects()
 {
-  std::vector<Object_subject> subjects = object_subjects();
-  std::erase_if(subjects, [](const Object_subject& subject) {
-    const Subject& own = *subject.own;
-    return own.method != Method::tree || (own.kernel != Kernel_name::adaptive && own.kernel != Kernel_name::rational);
+  return some_subjects([](const Subject& own) {
+    return own.method == Method::tree && (own.kernel == Kernel_name::adaptive || own.kernel == Kernel_name::rational);
   });
-  return subjects;
 }
 
 std::vector<Object_subject> solid_subjects()
 {
-  std::vector<Object_subject> subjects = distance_subjects();
-  std::erase_if(subjects, [](const Object_subject& subject) { return subject.own->kernel != Kernel_name::adaptive; });
-  return subjects;
+  return some_subjects(
+      [](const Subject& own) { return own.method == Method::tree && own.kernel == Kernel_name::adaptive; });
 }
 
 Contact_forms contact_forms(const Contacts& contacts)

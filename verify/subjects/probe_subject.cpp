@@ -3,13 +3,12 @@
 #include "tetracone/covering/inclusion.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -92,6 +91,9 @@ Ray_answer hits_of(Ready& ready, const Probe_case& c)
 namespace rays_in_doubles {
 
 using Triple = kernel::Vertex;
+using kernel::cross;
+using kernel::difference;
+using kernel::dot;
 
 /// All triangles of the body: the library's list leaves out faces that already are triangles.
 struct Triangles {
@@ -108,17 +110,10 @@ struct Triangles {
   std::vector<covering::Face_triangle> triangles;
 };
 
-Triple minus(const Triple& a, const Triple& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Triple cross(const Triple& a, const Triple& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Returns t of the crossing; negative or NaN if there is none.
 double crossing(const Triple& o, const Triple& d, const Triple& a, const Triple& b, const Triple& c)
 {
-  const Triple e = minus(b, a), f = minus(c, a), p = cross(d, f), s = minus(o, a), q = cross(s, e);
+  const Triple e = difference(b, a), f = difference(c, a), p = cross(d, f), s = difference(o, a), q = cross(s, e);
   const double determinant = dot(e, p), u = dot(s, p) / determinant, v = dot(d, q) / determinant;
   return determinant != 0 && u >= 0 && v >= 0 && u + v <= 1 ? dot(f, q) / determinant : -1;
 }

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_VERIFY_SUBJECTS_SEGMENT_TRIANGLE_FORMULATIONS_H
 #define TETRACONE_VERIFY_SUBJECTS_SEGMENT_TRIANGLE_FORMULATIONS_H
 
+#include "tetracone/kernel/number/products.h"
+
 #include <CGAL/Intersections_3/Segment_3_Segment_3.h>
 #include <CGAL/Intersections_3/Segment_3_Triangle_3.h>
 
@@ -14,23 +16,9 @@ namespace tetracone::verify::formulations {
 template <class Number>
 using Vector = std::array<Number, 3>;
 
-template <class Number>
-Vector<Number> difference(const Vector<Number>& a, const Vector<Number>& b)
-{
-  return {Number(a[0] - b[0]), Number(a[1] - b[1]), Number(a[2] - b[2])};
-}
-
-template <class Number>
-Vector<Number> cross(const Vector<Number>& a, const Vector<Number>& b)
-{
-  return {Number(a[1] * b[2] - a[2] * b[1]), Number(a[2] * b[0] - a[0] * b[2]), Number(a[0] * b[1] - a[1] * b[0])};
-}
-
-template <class Number>
-Number dot(const Vector<Number>& a, const Vector<Number>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using kernel::cross;
+using kernel::difference;
+using kernel::dot;
 
 /// Moeller & Trumbore, Fast, minimum storage ray-triangle intersection, JGT 2(1), 1997, for both sides, with the ray
 /// cut to a segment. It solves p + t (q-p) = a + u (b-a) + v (c-a) for (t, u, v) by Cramer's rule, after one division.

@@ -40,12 +40,7 @@ Brute_body::Brute_body(const covering::Polyhedron& polyhedron) : polyhedron_(pol
 
 void Brute_body::add_face(Index f)
 {
-  std::vector<std::vector<Exact::Point_3>> loops;
-  for (std::size_t k = 0; k < polyhedron_.loop_count(f); ++k) {
-    loops.emplace_back();
-    for (const Index v : polyhedron_.loop(f, k)) loops.back().push_back(points_[v]);
-  }
-  const Planar_face face(std::move(loops));
+  const Planar_face face = planar_face(polyhedron_, f, [this](Index v) { return points_[v]; });
   bases_.push_back(base_corners(f, face));
   if (!face.base()) {
     add_loops(f, face);

@@ -7,12 +7,10 @@
 #include <CGAL/intersections.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace tetracone::verify {

@@ -213,13 +213,7 @@ void require_closed(const Placed_body& a, const Placed_body& b)
 
 Planar_face placed_face(const Placed_body& placed, Index f)
 {
-  const covering::Polyhedron& polyhedron = placed.body().polyhedron();
-  std::vector<std::vector<Exact::Point_3>> loops;
-  for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-    loops.emplace_back();
-    for (const Index v : polyhedron.loop(f, k)) loops.back().push_back(placed.image<Exact>(v));
-  }
-  return Planar_face(std::move(loops));
+  return planar_face(placed.body().polyhedron(), f, [&](Index v) { return placed.image<Exact>(v); });
 }
 
 }  // namespace detail
@@ -245,8 +239,9 @@ bool collide(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const
 int inside(const Placed_body& solid, const std::array<kernel::Rational, 3>& point)
 {
   if (!solid.body().is_closed()) throw std::invalid_argument("an open surface has no solid");
-  if (detail::surfaces_meet(solid, Dot(point).placed)) return 0;
-  return detail::winding(solid, point) != 0 ? 1 : -1;
+  const Dot dot(point);
+  if (detail::surfaces_meet(solid, dot.placed)) return 0;
+  return detail::winding(solid, dot.placed, 0) != 0 ? 1 : -1;
 }
 
 int inside(const Brute_body& body, const std::array<kernel::Rational, 3>& point)

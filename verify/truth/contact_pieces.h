@@ -5,9 +5,9 @@
 #include "tetracone/kernel/predicate/face_contact.h"
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,12 +26,7 @@ struct Contact_piece_form {
   kernel::Feature in_a, in_b;
   std::vector<Exact_segment> border;
 
-  friend bool operator==(const Contact_piece_form&, const Contact_piece_form&) = default;
-  friend bool operator<(const Contact_piece_form& a, const Contact_piece_form& b)
-  {
-    const auto key = [](const Contact_piece_form& p) { return std::tie(p.face_a, p.face_b, p.kind, p.in_a, p.in_b); };
-    return key(a) != key(b) ? key(a) < key(b) : a.border < b.border;
-  }
+  friend auto operator<=>(const Contact_piece_form&, const Contact_piece_form&) = default;
 };
 using Contact_forms = std::vector<Contact_piece_form>;
 

@@ -18,17 +18,11 @@ class Nearest_truth {
 
   explicit Nearest_truth(const covering::Polyhedron& polyhedron)
   {
-    for (covering::Index f = 0; f < polyhedron.face_count(); ++f) {
-      std::vector<std::vector<Point>> loops;
-      for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-        loops.emplace_back();
-        for (const covering::Index v : polyhedron.loop(f, l)) {
-          const auto& x = polyhedron.vertices[v];
-          loops.back().emplace_back(x[0], x[1], x[2]);
-        }
-      }
-      faces_.emplace_back(std::move(loops));
-    }
+    const auto at = [&](covering::Index v) {
+      const auto& [x, y, z] = polyhedron.vertices[v];
+      return Point(x, y, z);
+    };
+    for (covering::Index f = 0; f < polyhedron.face_count(); ++f) faces_.push_back(planar_face(polyhedron, f, at));
   }
 
   /// Returns the square of the distance, and all points of this distance.

@@ -25,11 +25,6 @@ class Two_solids {
         curves_(curve_pieces(surfaces_))
   {}
 
-  bool share_area() const
-  {
-    return std::ranges::any_of(pieces_, [](const Surface_piece& piece) { return piece.is_on[0] && piece.is_on[1]; });
-  }
-
   bool share_interior() const { return verify::share_interior(pieces_); }
 
   // True when some part of a body's surface is in the other solid, or on its surface.
@@ -72,7 +67,7 @@ class Two_solids {
   void set_overlap(Solid_overlap& overlap) const
   {
     for (const Surface_piece& piece : pieces_) {
-      const int outward = int(is_common(piece, 0)) - int(is_common(piece, 1));
+      const int outward = int(piece.is_common(0)) - int(piece.is_common(1));
       if (outward == 0 || !piece.is_first) continue;
       for (const int k : {1, 2}) {
         const Exact_vector &p = piece.corner[0], &q = piece.corner[k], &r = piece.corner[k + 1];
@@ -111,11 +106,6 @@ class Two_solids {
   }
 
  private:
-  static bool is_common(const Surface_piece& piece, int side)
-  {
-    return piece.winding[0][side] != 0 && piece.winding[1][side] != 0;
-  }
-
   Exact_vector unscaled(const Exact_vector& x) const { return times(Rational(1, scale_), x); }
 
   std::vector<Placed_element> interior_border(int body) const

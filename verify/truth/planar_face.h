@@ -1,12 +1,15 @@
 #ifndef TETRACONE_VERIFY_TRUTH_PLANAR_FACE_H
 #define TETRACONE_VERIFY_TRUTH_PLANAR_FACE_H
 
+#include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/number.h"
 
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace tetracone::verify {
@@ -59,6 +62,16 @@ class Planar_face {
   std::optional<std::array<Point_3, 3>> base_;
   int dropped_ = 0;
 };
+
+/// Returns face `f` of a polyhedron, with the point at(v) for each vertex v.
+template <class At>
+Planar_face planar_face(const covering::Polyhedron& polyhedron, covering::Index f, const At& at)
+{
+  std::vector<std::vector<Exact::Point_3>> loops(polyhedron.loop_count(f));
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    for (const covering::Index v : polyhedron.loop(f, k)) loops[k].push_back(at(v));
+  return Planar_face(std::move(loops));
+}
 
 }  // namespace tetracone::verify
 

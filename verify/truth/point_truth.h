@@ -12,18 +12,11 @@ namespace tetracone::verify {
 class Point_truth {
  public:
   /// Requires a closed polyhedron. Throws as `Brute_body`.
-  explicit Point_truth(const covering::Polyhedron& polyhedron)
-      : body_(polyhedron), solid_(body_, Pose()), dot_(origin())
-  {}
+  explicit Point_truth(const covering::Polyhedron& polyhedron) : body_(polyhedron), solid_(body_, Pose()) {}
   Point_truth(const Point_truth&) = delete;
 
   /// Returns 1 inside, 0 on the surface, -1 outside.
-  int operator()(const std::array<kernel::Rational, 3>& p) const
-  {
-    const Placed_body moved(dot_, Pose({1, 0, 0, p[0], 0, 1, 0, p[1], 0, 0, 1, p[2]}));
-    if (detail::surfaces_meet(solid_, moved)) return 0;
-    return detail::winding(solid_, moved, 0) != 0 ? 1 : -1;
-  }
+  int operator()(const std::array<kernel::Rational, 3>& p) const { return inside(solid_, p); }
   int operator()(const kernel::Vertex& p) const
   {
     return (*this)(
@@ -31,17 +24,8 @@ class Point_truth {
   }
 
  private:
-  static covering::Polyhedron origin()
-  {
-    covering::Polyhedron origin;
-    origin.vertices = {{0, 0, 0}};
-    origin.add_polygon({0});
-    return origin;
-  }
-
   Brute_body body_;
   Placed_body solid_;
-  Brute_body dot_;
 };
 
 }  // namespace tetracone::verify

@@ -332,10 +332,8 @@ std::vector<Surface_piece> surface_pieces(const std::array<std::vector<Placed_el
 
 bool share_interior(const std::vector<Surface_piece>& pieces)
 {
-  return std::ranges::any_of(pieces, [](const Surface_piece& piece) {
-    const auto is_common = [&](int side) { return piece.winding[0][side] != 0 && piece.winding[1][side] != 0; };
-    return is_common(0) || is_common(1);
-  });
+  return std::ranges::any_of(pieces,
+                             [](const Surface_piece& piece) { return piece.is_common(0) || piece.is_common(1); });
 }
 
 std::vector<Curve_piece> curve_pieces(const std::array<std::vector<Placed_element>, 2>& surfaces)

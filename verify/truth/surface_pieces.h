@@ -46,6 +46,9 @@ struct Surface_piece {
   bool is_first = true;  ///< no element before this one, of both surfaces in their order, contains the piece
   /// The winding numbers of body 0 and of body 1, below the piece and above it, along an axis that crosses it.
   std::array<std::array<int, 2>, 2> winding{};
+
+  /// True when the side, 0 below or 1 above, is in both solids.
+  bool is_common(int side) const { return winding[0][side] != 0 && winding[1][side] != 0; }
 };
 
 /// Returns pieces whose union is the union of all triangles of both surfaces.

@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,17 +71,11 @@ const Family cheap_too{{"cheap-too", "", "gap", {0.25}, 2}, points, cubes};
 const Family turned{{"turned", "", "third", {0, 1}, 4}, points, thirds};
 const Family lying{{"lying", "", "gap", {1}, 3}, points, nonsense};
 
-class Says_no : public Running_subject {
+/// Says the same of every case.
+template <Outcome outcome>
+class Says : public Running_subject {
  public:
-  Outcome operator()(const Object_case&, Question) override { return Outcome::no; }
-};
-class Fails : public Running_subject {
- public:
-  Outcome operator()(const Object_case&, Question) override { return Outcome::failed; }
-};
-class Declines : public Running_subject {
- public:
-  Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
+  Outcome operator()(const Object_case&, Question) override { return outcome; }
 };
 
 /// As a library of doubles: declines fractions, says no to the rest; 3 ns for making what it was made to forget, and 4
@@ -121,11 +114,11 @@ class Lists : public Running_subject {
   }
 };
 
-Object_subject says_no{"says no", false, "", {},          [] { return std::make_unique<Says_no>(); },
+Object_subject says_no{"says no", false, "", {},          [] { return std::make_unique<Says<Outcome::no>>(); },
                        "",        "",    "", Knows::both, In_floats::vertices_and_poses};
 Object_subject of_doubles_alone{"of doubles", false, "", {}, [] { return std::make_unique<Of_doubles>(); }};
-Object_subject fails{"fails", false, "", {}, [] { return std::make_unique<Fails>(); }};
-Object_subject declines{"declines", false, "", {}, [] { return std::make_unique<Declines>(); }};
+Object_subject fails{"fails", false, "", {}, [] { return std::make_unique<Says<Outcome::failed>>(); }};
+Object_subject declines{"declines", false, "", {}, [] { return std::make_unique<Says<Outcome::not_asked>>(); }};
 
 Object_subject invents{"invents", false, "", {}, [] { return std::make_unique<Lists<true>>(); }};
 Object_subject leaves_out{"leaves out", false, "", {}, [] { return std::make_unique<Lists<false>>(); }};

@@ -103,72 +103,56 @@ void fail(Told<Answer>& told)
   told = {Outcome::failed};
 }
 
-/// The adaptive tree's distances, except for one statement; with no spoil, except for limits.
-class Spoils_distance : public Running_subject {
+/// The adaptive tree's answers, except for one statement.
+class Spoils_one : public Running_subject {
  public:
-  using Spoil = void (*)(Distance_answer& answer);
-  explicit Spoils_distance(Spoil spoil) : spoil_(spoil), right_(distance_subjects()[0].make()) {}
+  /// Nothing is spoiled where no function is given.
+  struct Spoil {
+    void (*distance)(Distance_answer& answer) = nullptr;
+    void (*solids)(Solid_answer& answer) = nullptr;
+    void (*exits)(Exit_answer& answer) = nullptr;
+    bool says_within = false;  ///< whatever the limit
+  };
+  explicit Spoils_one(const Spoil& spoil) : spoil_(spoil) {}
 
   Outcome operator()(const Object_case& c, Question question) override { return (*right_)(c, question); }
   Told<Distance_answer> distance(const Object_case& c, Question question) override
   {
-    auto told = right_->distance(c, question);
-    if (spoil_) spoil_(told.answer);
-    return told;
+    return spoiled(right_->distance(c, question), spoil_.distance);
+  }
+  Told<Solid_answer> solids(const Object_case& c) override { return spoiled(right_->solids(c), spoil_.solids); }
+  Told<Exit_answer> exits(const Object_case& c, const std::array<tetracone::kernel::Rational, 3>& direction) override
+  {
+    return spoiled(right_->exits(c, direction), spoil_.exits);
   }
   Outcome within(const Object_case& c, Question question, const std::string& limit) override
   {
-    return spoil_ ? right_->within(c, question, limit) : Outcome::yes;
-  }
-
- private:
-  Spoil spoil_;
-  std::unique_ptr<Running_subject> right_;
-};
-
-Object_subject spoiling(const char* name, Spoils_distance::Spoil spoil)
-{
-  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_distance>(spoil); }};
-}
-
-using Solid_spoil = void (*)(Solid_answer& answer);
-using Exit_spoil = void (*)(Exit_answer& answer);
-
-/// The adaptive tree's relations and exits, except for one statement.
-class Spoils_solids : public Running_subject {
- public:
-  Spoils_solids(Solid_spoil solids, Exit_spoil exits)
-      : spoil_solids_(solids), spoil_exits_(exits), right_(solid_subjects()[0].make())
-  {}
-
-  Outcome operator()(const Object_case& c, Question question) override { return (*right_)(c, question); }
-  Told<Solid_answer> solids(const Object_case& c) override { return spoiled(right_->solids(c), spoil_solids_); }
-  Told<Exit_answer> exits(const Object_case& c, const std::array<tetracone::kernel::Rational, 3>& direction) override
-  {
-    return spoiled(right_->exits(c, direction), spoil_exits_);
+    return spoil_.says_within ? Outcome::yes : right_->within(c, question, limit);
   }
 
  private:
   template <class Answer>
   static Told<Answer> spoiled(Told<Answer> told, void (*spoil)(Answer& answer))
   {
-    spoil(told.answer);
+    if (spoil) spoil(told.answer);
     return told;
   }
 
-  Solid_spoil spoil_solids_;
-  Exit_spoil spoil_exits_;
-  std::unique_ptr<Running_subject> right_;
+  Spoil spoil_;
+  std::unique_ptr<Running_subject> right_ = solid_subjects()[0].make();
 };
 
-Object_subject spoiled_solids(const char* name, Solid_spoil spoil)
+Object_subject spoiling(const char* name, const Spoils_one::Spoil& spoil)
 {
-  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_solids>(spoil, [](Exit_answer&) {}); }};
+  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_one>(spoil); }};
 }
-
-Object_subject spoiled_exits(const char* name, Exit_spoil spoil)
+Object_subject spoiled_solids(const char* name, void (*spoil)(Solid_answer& answer))
 {
-  return {name, false, "", {}, [spoil] { return std::make_unique<Spoils_solids>([](Solid_answer&) {}, spoil); }};
+  return spoiling(name, {.solids = spoil});
+}
+Object_subject spoiled_exits(const char* name, void (*spoil)(Exit_answer& answer))
+{
+  return spoiling(name, {.exits = spoil});
 }
 
 Solid_relation another(Solid_relation relation) { return Solid_relation(7 - int(relation)); }
@@ -177,6 +161,7 @@ class Tells_nothing : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::no; }
 };
+const Object_subject nothing{"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }};
 
 std::vector<const Family*> named(const std::vector<const char*>& names)
 {
@@ -308,11 +293,10 @@ BOOST_AUTO_TEST_CASE(each_wrong_statement_about_a_distance_is_counted)
   for (std::size_t k = 0; k < 4; ++k) families.push_back(&distance_families()[k]);
   Rows<levels::Distances> rows(
       families,
-      {spoiling("root", [](Distance_answer& a) { a.alone = a.nearest.distance = std::nextafter(a.alone, HUGE_VAL); }),
-       spoiling("square", [](Distance_answer& a) { a.nearest.squared = "7/3"; }),
-       spoiling("points", [](Distance_answer& a) { std::swap(a.nearest.point[0], a.nearest.point[1]); }),
-       spoiling("always within", nullptr),
-       {"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }}});
+      {spoiling("root", {[](Distance_answer& a) { a.alone = a.nearest.distance = std::nextafter(a.alone, HUGE_VAL); }}),
+       spoiling("square", {[](Distance_answer& a) { a.nearest.squared = "7/3"; }}),
+       spoiling("points", {[](Distance_answer& a) { std::swap(a.nearest.point[0], a.nearest.point[1]); }}),
+       spoiling("always within", {.says_within = true}), nothing});
   rows.ask(1);
   const std::int64_t asked = rows.truth("n"), zero = rows.truth("positives");
   BOOST_TEST(zero > 0);
@@ -329,9 +313,7 @@ BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted
 {
   Rows<levels::Relations> rows(
       named({"lego", "random", "nested", "nested-touching", "face-on-face", "degenerate-face", "wild", "voxels"}),
-      {solid_subjects()[0],
-       solid_subjects()[1],
-       solid_subjects()[2],
+      {solid_subjects()[0], solid_subjects()[1], solid_subjects()[2],
        spoiled_solids("relation", [](Solid_answer& a) { a.overlap.contact.relation = a.alone = another(a.alone); }),
        spoiled_solids("alone", [](Solid_answer& a) { a.alone = another(a.alone); }),
        spoiled_solids("dimension", [](Solid_answer& a) { --a.overlap.contact.dimension; }),
@@ -340,7 +322,7 @@ BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted
        spoiled_solids("vector", [](Solid_answer& a) { a.contact_vector[1] += 1; }),
        spoiled_solids("area", [](Solid_answer& a) { a.contact_area[0] = a.contact_area[1] + 1; }),
        spoiled_solids("doubles", [](Solid_answer& a) { a.centroid[2] = std::nextafter(a.centroid[2], HUGE_VAL); }),
-       {"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }}});
+       nothing});
   const std::int64_t asked = rows.ask(4);
   BOOST_TEST(rows.truth("n") == 8 * asked);
   BOOST_TEST(rows.truth("positives") == asked);
@@ -363,14 +345,12 @@ BOOST_AUTO_TEST_CASE(every_relation_is_exact_and_each_wrong_statement_is_counted
 
 BOOST_AUTO_TEST_CASE(every_exit_is_exact_and_each_wrong_statement_is_counted)
 {
-  Rows<levels::Exits> rows(named({"lego", "random", "nested", "nested-touching", "face-on-face", "degenerate-face"}),
-                           {solid_subjects()[0],
-                            solid_subjects()[1],
-                            solid_subjects()[2],
-                            spoiled_exits("first", [](Exit_answer& a) { a.exits.first += 1; }),
-                            spoiled_exits("last", [](Exit_answer& a) { a.exits.last += 1; }),
-                            spoiled_exits("doubles", [](Exit_answer& a) { a.last = std::nextafter(a.last, HUGE_VAL); }),
-                            {"nothing", false, "", {}, [] { return std::make_unique<Tells_nothing>(); }}});
+  Rows<levels::Exits> rows(
+      named({"lego", "random", "nested", "nested-touching", "face-on-face", "degenerate-face"}),
+      {solid_subjects()[0], solid_subjects()[1], solid_subjects()[2],
+       spoiled_exits("first", [](Exit_answer& a) { a.exits.first += 1; }),
+       spoiled_exits("last", [](Exit_answer& a) { a.exits.last += 1; }),
+       spoiled_exits("doubles", [](Exit_answer& a) { a.last = std::nextafter(a.last, HUGE_VAL); }), nothing});
   rows.ask(4);
   const std::int64_t asked = rows.truth("n") / 2;
   BOOST_TEST(asked > 6);

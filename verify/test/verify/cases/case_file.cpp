@@ -5,6 +5,7 @@
 #include "tetracone/covering/io/input_error.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/test/support/temporary_file.h"
+#include "verify/test/verify/same_body.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -21,6 +22,7 @@ using kernel::Question;
 using kernel::Rational;
 using verify::Case_file;
 using verify::Case_kind;
+using verify::same;
 
 namespace {
 
@@ -30,19 +32,6 @@ bool same(const kernel::Vertex& a, const kernel::Vertex& b)
   return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
   });
-}
-
-bool same(const covering::Polyhedron& a, const covering::Polyhedron& b)
-{
-  if (a.vertices.size() != b.vertices.size() || a.face_count() != b.face_count()) return false;
-  for (std::size_t v = 0; v < a.vertices.size(); ++v)
-    if (!same(a.vertices[v], b.vertices[v])) return false;
-  for (covering::Index f = 0; f < a.face_count(); ++f) {
-    if (a.loop_count(f) != b.loop_count(f)) return false;
-    for (std::size_t k = 0; k < a.loop_count(f); ++k)
-      if (!std::ranges::equal(a.loop(f, k), b.loop(f, k))) return false;
-  }
-  return true;
 }
 
 bool same(const verify::Origin& a, const verify::Origin& b)

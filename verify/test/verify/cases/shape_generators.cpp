@@ -7,6 +7,7 @@
 #include "tetracone/covering/repair/repair.h"
 #include "verify/cases/random.h"
 #include "verify/test/support/temporary_file.h"
+#include "verify/test/verify/same_body.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -79,17 +80,6 @@ bool is_convex(const Polyhedron& p, covering::Loop loop)
     turns.insert(CGAL::orientation(q[0], q[1], q[2]));
   }
   return turns.size() == 1;
-}
-
-bool same(const Polyhedron& p, const Polyhedron& q)
-{
-  if (p.vertices != q.vertices || p.face_count() != q.face_count()) return false;
-  for (Index f = 0; f < p.face_count(); ++f) {
-    if (p.loop_count(f) != q.loop_count(f)) return false;
-    for (std::size_t k = 0; k < p.loop_count(f); ++k)
-      if (!std::ranges::equal(p.loop(f, k), q.loop(f, k))) return false;
-  }
-  return true;
 }
 
 Polyhedron read_back(const std::string& name, const std::string& text)

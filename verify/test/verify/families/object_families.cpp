@@ -7,6 +7,7 @@
 #include "tetracone/kernel/motion/rotation_quaternion.h"
 #include "verify/families/families.h"
 #include "verify/families/ladder.h"
+#include "verify/test/verify/same_body.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -28,20 +29,9 @@ using kernel::Question;
 
 namespace {
 
-bool same(const Polyhedron& a, const Polyhedron& b)
-{
-  if (a.vertices != b.vertices || a.face_count() != b.face_count()) return false;
-  for (covering::Index f = 0; f < a.face_count(); ++f) {
-    if (a.loop_count(f) != b.loop_count(f)) return false;
-    for (std::size_t l = 0; l < a.loop_count(f); ++l)
-      if (!std::ranges::equal(a.loop(f, l), b.loop(f, l))) return false;
-  }
-  return true;
-}
-
 bool same(const Object_case& c, const Object_case& d)
 {
-  return same(*c.a, *d.a) && same(*c.b, *d.b) && c.pose_a == d.pose_a && c.pose_b == d.pose_b &&
+  return verify::same(*c.a, *d.a) && verify::same(*c.b, *d.b) && c.pose_a == d.pose_a && c.pose_b == d.pose_b &&
          c.surface == d.surface && c.solid == d.solid;
 }
 
@@ -67,16 +57,10 @@ bool is_finite(const Polyhedron& body, const kernel::Pose& pose)
 /// Every case of these is tried but those of large bodies, which campaigns have.
 bool is_small(const Object_case& c) { return c.a->face_count() + c.b->face_count() < 8000; }
 
-struct Answers {
-  bool surface, solid;
-};
-
-Answers truth(const Object_case& c)
+Both_answers truth(const Object_case& c)
 {
   const Brute_body a(*c.a), b(*c.b);
-  const Placed_body placed_a(a, c.pose_a), placed_b(b, c.pose_b);
-  const bool surface = collide(placed_a, placed_b, Question::surface);
-  return {surface, surface || collide(placed_a, placed_b, Question::solid)};
+  return collide_both(Placed_body(a, c.pose_a), Placed_body(b, c.pose_b));
 }
 
 /// One solid strictly inside the other, or inside its cavity: the surfaces never meet, by what the family is.
@@ -154,7 +138,7 @@ BOOST_AUTO_TEST_CASE(both_answers_are_frequent_and_known_answers_true)
     for (std::uint64_t index = 0; index < 200 && (yes < 20 || no < 20); ++index) {
       const Object_case c = family.object_case(2, index);
       if (!is_small(c)) continue;
-      const Answers answer = truth(c);
+      const Both_answers answer = truth(c);
       BOOST_TEST_CONTEXT(family.name << ' ' << index)
       {
         if (c.surface) BOOST_TEST(*c.surface == answer.surface);

@@ -6,7 +6,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <map>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_integer_contacts)
 

@@ -1,36 +1,14 @@
 #include "verify/integer_truth/integer_overlap.h"
 
-#include "verify/families/families.h"
-#include "verify/test/support/object_cases.h"
-#include "verify/truth/overlap_truth.h"
-
 #include <boost/test/unit_test.hpp>
 
 BOOST_AUTO_TEST_SUITE(test_integer_overlap)
 
 using namespace tetracone::verify;
-using namespace tetracone::verify::scenes;
 using integer_truth::agrees;
 using integer_truth::Volumes;
 using tetracone::kernel::Rational;
 using tetracone::kernel::Solid_relation;
-
-BOOST_AUTO_TEST_CASE(the_two_truths_agree_on_small_bodies_of_every_kind)
-{
-  int overlaps = 0, tried = 0;
-  for (const char* name : {"lego", "random", "shear", "duplicates", "degenerate-face", "sliver", "nested-touching",
-                           "face-on-face", "covering-apex", "true-rotation"})
-    for (std::uint64_t k = 0; k < 24; ++k) {
-      const Object_case c = find_family(name)->object_case(4, k);
-      if (c.a->face_count() > 8 || c.b->face_count() > 8) continue;
-      const Solid_overlap overlap = solid_overlap(c);
-      BOOST_TEST(agrees(integer_truth::volumes(c), overlap), name << ' ' << k);
-      overlaps += overlap.volume > 0;
-      ++tried;
-    }
-  BOOST_TEST(tried > 60);
-  BOOST_TEST(overlaps > 20);
-}
 
 BOOST_AUTO_TEST_CASE(what_contradicts_the_volumes_is_noticed)
 {

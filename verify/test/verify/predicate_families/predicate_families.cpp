@@ -4,6 +4,7 @@
 #include "verify/families/families.h"
 #include "verify/predicate_families/predicate_corpus.h"
 #include "verify/subjects/predicate_subject.h"
+#include "verify/test/support/rationals.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -34,46 +35,17 @@ bool same(const Predicate_case& a, const Predicate_case& b)
   return points_of(a) == points_of(b) && a.pose_a == b.pose_a && a.pose_b == b.pose_b;
 }
 
-/// Placed, in rationals; written out here, so that it is not the generators' own arithmetic.
-std::array<Rational, 3> image(const Pose& pose, const Vertex& x)
-{
-  std::array<Rational, 3> y;
-  for (int i = 0; i < 3; ++i) {
-    y[i] = pose.exact(4 * i + 3);
-    for (int j = 0; j < 3; ++j) y[i] += pose.exact(4 * i + j) * Rational(x[j]);
-  }
-  return y;
-}
-
-Rational determinant(const std::array<std::array<Rational, 3>, 4>& x)
-{
-  const auto d = [&](int k, int i) -> Rational { return x[k][i] - x[0][i]; };
-  Rational sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    sum += d(1, i) * (d(2, j) * d(3, k) - d(2, k) * d(3, j));
-  }
-  return sum;
-}
-
 /// True when p is exactly on the plane of some face of v0 v1 v2 v3.
-bool is_on_a_plane(const Predicate_case& c)
+bool is_on_a_plane(Predicate_case c)
 {
-  std::array<std::array<Rational, 3>, 4> v;
-  for (int k = 0; k < 4; ++k) v[k] = image(c.pose_a, c.v[k]);
-  for (int k = 0; k < 4; ++k) {
-    auto corners = v;
-    corners[k] = image(c.pose_b, c.p);
-    if (determinant(corners) == 0) return true;
+  for (const int k : {1, 2, 3, 0}) {
+    if (true_answer(Predicate::orientation, c) == 0) return true;
+    std::swap(c.v[0], c.v[k]);
   }
   return false;
 }
 
-const Predicate_subject& subject(const char* name)
-{
-  return *std::find_if(predicate_subjects().begin(), predicate_subjects().end(),
-                       [&](const auto& s) { return s.name == name; });
-}
+const Predicate_subject& subject(const char* name) { return *find_named(predicate_subjects(), name); }
 
 /// How often each answer occurs, and how often double has another, per family and predicate.
 struct Tally {
@@ -152,7 +124,8 @@ BOOST_AUTO_TEST_CASE(images_at_the_ends_of_the_range_are_doubles_range_still)
   for (int index = 0; index < 200; ++index) {
     const Predicate_case c = family.predicate_case(3, index);
     for (int k = 0; k < 7; ++k)
-      for (const Rational& coordinate : image(k < 4 ? c.pose_a : c.pose_b, points_of(c)[k])) {
+      for (const Rational& coordinate :
+           rationals::image(k < 4 ? c.pose_a : c.pose_b, rationals::exactly(points_of(c)[k]))) {
         BOOST_TEST((abs(coordinate) <= largest));
         huge += abs(coordinate) > largest / 2;
         denormal += coordinate != 0 && abs(coordinate) < Rational(std::numeric_limits<double>::min());

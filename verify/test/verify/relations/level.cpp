@@ -18,7 +18,6 @@
 #include <span>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 // The relations of features, contacts, distances, solids, points, rays, scenes and motions.
 BOOST_AUTO_TEST_SUITE(test_level)

@@ -226,65 +226,43 @@ BOOST_AUTO_TEST_CASE(rounded_objects_violate_several_relations)
 
 BOOST_AUTO_TEST_CASE(planted_errors_of_objects_are_caught_by_the_relation_meant_for_them)
 {
-  const auto extent = [](const Object_case& c) {
-    return std::abs(c.a->vertices[0][0]) + std::abs(c.a->vertices[1][0]) + std::abs(c.a->vertices[2][0]);
+  using Case = const Object_case&;
+  const auto says_yes_only = [](bool (*where)(Case, Question), std::string_view relation) {
+    const auto planted = [where](Case c, Question q, const Truth& truth) {
+      return outcome(truth(c, q) && where(c, q));
+    };
+    BOOST_TEST(violations(planted, relation) > 0, relation);
   };
-  BOOST_TEST(violations(
-                 [](const Object_case& c, Question q, const Truth& truth) {
-                   return outcome(truth(c, q) && c.a->loop(0, 0)[0] % 2 == 0);  // by the order of vertices and faces
-                 },
-                 "R8 order") > 0);
-  BOOST_TEST(
-      violations([](const Object_case& c, Question q,
-                    const Truth& truth) { return outcome(truth(c, q) && c.a->face_count() <= c.b->face_count()); },
-                 "R5 swap") > 0);
-  BOOST_TEST(violations([extent](const Object_case& c, Question q,
-                                 const Truth& truth) { return outcome(truth(c, q) || extent(c) < 1e-6); },
-                        "R6 scale") > 0);
-  BOOST_TEST(violations(
-                 [](const Object_case& c, Question q, const Truth& truth) {
-                   return outcome(truth(c, q) &&
-                                  (c.pose_a.is_identity() || c.pose_b.determinant_sign() == CGAL::POSITIVE));
-                 },
-                 "R6 motion") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q,
-                           const Truth& truth) { return outcome(truth(c, q) && !c.pose_a.is_identity()); },
-                        "R3 absorbed") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q,
-                           const Truth& truth) { return outcome(truth(c, q) && !c.pose_a.is_identity()); },
-                        "R5 relative") > 0);
-  BOOST_TEST(violations(
-                 [](const Object_case& c, Question q, const Truth& truth) {
-                   return outcome(truth(c, q) && (q == Question::surface || tetracone::covering::volume(*c.a) > 0));
-                 },
-                 "R8 winding") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q,
-                           const Truth& truth) { return outcome(truth(c, q) && c.a->vertices.size() % 2 == 0); },
-                        "R10 unused") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q,
-                           const Truth& truth) { return outcome(truth(c, q) && c.a->vertices[0][0] != 0); },
-                        "R10 opposite") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q,
-                           const Truth& truth) { return outcome(truth(c, q) && c.a->face_count() <= 8); },
-                        "R9 adding") > 0);
+  // By the order of vertices and faces.
+  says_yes_only([](Case c, Question) { return c.a->loop(0, 0)[0] % 2 == 0; }, "R8 order");
+  says_yes_only([](Case c, Question) { return c.a->face_count() <= c.b->face_count(); }, "R5 swap");
+  says_yes_only(
+      [](Case c, Question) { return c.pose_a.is_identity() || c.pose_b.determinant_sign() == CGAL::POSITIVE; },
+      "R6 motion");
+  for (const char* relation : {"R3 absorbed", "R5 relative"})
+    says_yes_only([](Case c, Question) { return !c.pose_a.is_identity(); }, relation);
+  says_yes_only([](Case c, Question q) { return q == Question::surface || tetracone::covering::volume(*c.a) > 0; },
+                "R8 winding");
+  says_yes_only([](Case c, Question) { return c.a->vertices.size() % 2 == 0; }, "R10 unused");
+  says_yes_only([](Case c, Question) { return c.a->vertices[0][0] != 0; }, "R10 opposite");
+  says_yes_only([](Case c, Question) { return c.a->face_count() <= 8; }, "R9 adding");
   for (const char* relation : {"R7 edge", "R7 face"})
-    BOOST_TEST(violations(
-                   [](const Object_case& c, Question q, const Truth& truth) {
-                     return outcome(truth(c, q) && (c.a->face_count() + c.a->vertices.size()) % 2 == 0);
-                   },
-                   relation) > 0,
-               relation);
-  BOOST_TEST(violations(
-                 [](const Object_case& c, Question q, const Truth& truth) {
-                   return outcome(truth(c, q) || (q == Question::surface && c.a->face_count() % 2 == 1));
-                 },
-                 "R9 removing") > 0);
-  BOOST_TEST(violations(
-                 [](const Object_case& c, Question q, const Truth& truth) {
-                   const double t = c.pose_b[3] + c.pose_b[7] + c.pose_b[11];
-                   return outcome(truth(c, q) && 2 * t != std::floor(2 * t));  // shy of the touching position itself
-                 },
-                 "R13 monotone") > 0);
+    says_yes_only([](Case c, Question) { return (c.a->face_count() + c.a->vertices.size()) % 2 == 0; }, relation);
+  const auto is_shy_of_touching = [](Case c, Question) {
+    const double t = c.pose_b[3] + c.pose_b[7] + c.pose_b[11];
+    return 2 * t != std::floor(2 * t);
+  };
+  says_yes_only(is_shy_of_touching, "R13 monotone");
+
+  const auto yes_to_small = [](Case c, Question q, const Truth& truth) {
+    const auto& v = c.a->vertices;
+    return outcome(truth(c, q) || std::abs(v[0][0]) + std::abs(v[1][0]) + std::abs(v[2][0]) < 1e-6);
+  };
+  BOOST_TEST(violations(yes_to_small, "R6 scale") > 0);
+  const auto yes_to_odd = [](Case c, Question q, const Truth& truth) {
+    return outcome(truth(c, q) || (q == Question::surface && c.a->face_count() % 2 == 1));
+  };
+  BOOST_TEST(violations(yes_to_odd, "R9 removing") > 0);
 }
 
 BOOST_AUTO_TEST_CASE(planted_errors_of_predicates_are_caught_by_the_relation_meant_for_them)

@@ -6,12 +6,12 @@
 #include "tetracone/covering/planarity.h"
 #include "verify/cases/case_numbers.h"
 #include "verify/cases/shape_generators.h"
+#include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
 #include <limits>
-#include <memory>
 
 BOOST_AUTO_TEST_SUITE(test_mutate)
 
@@ -26,11 +26,8 @@ namespace {
 
 Object_case boxes()
 {
-  Object_case c;
-  c.a = std::make_shared<covering::Polyhedron>(verify::prism_with_tunnel());
-  c.b = std::make_shared<covering::Polyhedron>(verify::complex_two());
-  c.pose_a = Pose::from_quaternion(1, 2, 3, 4);
-  c.pose_b = Pose::translation(0.1, 0.2, 0.3);
+  Object_case c = verify::scenes::object_case(verify::prism_with_tunnel(), Pose::from_quaternion(1, 2, 3, 4),
+                                              verify::complex_two(), Pose::translation(0.1, 0.2, 0.3));
   c.origin = {"stacked", 1, 2, 3};
   c.surface = c.solid = true;
   return c;

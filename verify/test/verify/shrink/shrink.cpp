@@ -6,6 +6,7 @@
 #include "tetracone/covering/planarity.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/shrink/shrink_numbers.h"
+#include "verify/test/support/object_cases.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/predicate_truth.h"
 
@@ -26,18 +27,9 @@ using verify::Object_case;
 using verify::Outcome;
 using verify::Predicate;
 using verify::Predicate_case;
+using verify::scenes::object_case;
 
 namespace {
-
-Object_case case_of(Polyhedron a, const Pose& pose_a, Polyhedron b, const Pose& pose_b)
-{
-  Object_case c;
-  c.a = std::make_shared<Polyhedron>(std::move(a));
-  c.b = std::make_shared<Polyhedron>(std::move(b));
-  c.pose_a = pose_a;
-  c.pose_b = pose_b;
-  return c;
-}
 
 /// Right, but when `goes_wrong` says so.
 class Planted : public verify::Running_subject {
@@ -86,7 +78,7 @@ const Pose turned(std::array<double, 12>{0.8, -0.6, 0, 0.1, 0.6, 0.8, 0, 0.2, 0,
 
 BOOST_AUTO_TEST_CASE(a_subject_that_never_sees_contact_leaves_two_touching_tetrahedra)
 {
-  const Object_case c = case_of(verify::complex_one(), turned, verify::blob(128, 7), Pose());
+  const Object_case c = object_case(verify::complex_one(), turned, verify::blob(128, 7), Pose());
   const Object_case small =
       shrunk(c, Question::solid, [](const Object_case& x) { return verify::true_answer(x, Question::solid); });
   BOOST_TEST(verify::face_count(c) == 18u + 128u);
@@ -97,7 +89,8 @@ BOOST_AUTO_TEST_CASE(a_subject_that_never_sees_contact_leaves_two_touching_tetra
 
 BOOST_AUTO_TEST_CASE(an_odd_last_bit_is_all_that_is_left_of_many_bits)
 {
-  const Object_case c = case_of(verify::blob(128, 3), Pose(), verify::blob(32, 4), Pose::translation(0.1, 0.2, 0.3));
+  const Object_case c =
+      object_case(verify::blob(128, 3), Pose(), verify::blob(32, 4), Pose::translation(0.1, 0.2, 0.3));
   BOOST_REQUIRE(has_odd_last_bit(*c.a));
   const Object_case small = shrunk(c, Question::solid, [](const Object_case& x) { return has_odd_last_bit(*x.a); });
   BOOST_TEST(verify::face_count(small) <= 8u);
@@ -113,8 +106,8 @@ BOOST_AUTO_TEST_CASE(a_nested_pair_stays_nested)
   const auto nested = [](const Object_case& x) {
     return verify::true_answer(x, Question::solid) && !verify::true_answer(x, Question::surface);
   };
-  const Object_case c = case_of(verify::box_with_cavity(8, 7), Pose(), verify::box({7.25, 7.25, 7.25}, {7.5, 7.5, 7.5}),
-                                Pose::translation(0.125, 0, 0));
+  const Object_case c = object_case(verify::box_with_cavity(8, 7), Pose(),
+                                    verify::box({7.25, 7.25, 7.25}, {7.5, 7.5, 7.5}), Pose::translation(0.125, 0, 0));
   const Object_case small = shrunk(c, Question::solid, nested);
   BOOST_TEST(nested(small));
   BOOST_TEST(small.a->face_count() + small.b->face_count() <= 8u);
@@ -126,8 +119,8 @@ BOOST_AUTO_TEST_CASE(a_wrong_yes_keeps_its_direction)
   const auto moved = [](const Object_case& x) {
     return !verify::true_answer(x, Question::solid) && !(x.pose_b.is_identity() && x.pose_a.is_identity());
   };
-  const Object_case c = case_of(verify::unit_cube(), Pose(), verify::prism_with_tunnel(),
-                                Pose::from_quaternion(1, 2, 3, 4, {kernel::Rational(100) / 3, 0, 0}));
+  const Object_case c = object_case(verify::unit_cube(), Pose(), verify::prism_with_tunnel(),
+                                    Pose::from_quaternion(1, 2, 3, 4, {kernel::Rational(100) / 3, 0, 0}));
   const Object_case small = shrunk(c, Question::solid, moved);
   BOOST_TEST(!verify::true_answer(small, Question::solid));
   BOOST_TEST(!small.pose_a.is_rational());
@@ -143,7 +136,7 @@ BOOST_AUTO_TEST_CASE(a_failure_is_shrunk_too)
       return c.a->face_count() >= 3 ? Outcome::failed : Outcome::yes;
     }
   } subject;
-  const Object_case c = case_of(verify::complex_one(), Pose(), verify::complex_two(), Pose());
+  const Object_case c = object_case(verify::complex_one(), Pose(), verify::complex_two(), Pose());
   const auto check =
       verify::same_error(subject, Question::surface, Outcome::failed, verify::true_answer(c, Question::surface));
   const Object_case small = verify::shrink(c, Question::surface, check);
@@ -153,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_failure_is_shrunk_too)
 
 BOOST_AUTO_TEST_CASE(a_spent_budget_gives_a_case_that_still_shows_it)
 {
-  const Object_case c = case_of(verify::blob(512, 1), Pose(), verify::blob(512, 2), Pose());
+  const Object_case c = object_case(verify::blob(512, 1), Pose(), verify::blob(512, 2), Pose());
   const auto check = [](const Object_case& x) { return verify::true_answer(x, Question::surface); };
   BOOST_TEST(check(verify::shrink(c, Question::surface, check, {3, 60})));
   std::size_t asked = 0;
@@ -241,7 +234,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_list_of_features_shrinks_to_what_is_wrong_in_it)
       return {Outcome::yes, pairs};
     }
   } blind;
-  const Object_case c = case_of(verify::unit_cube(), Pose(), verify::unit_cube(), Pose::translation(0.5, 0.5, 0));
+  const Object_case c = object_case(verify::unit_cube(), Pose(), verify::unit_cube(), Pose::translation(0.5, 0.5, 0));
   const auto misses = verify::same_error_of_features(blind, true),
              invents = verify::same_error_of_features(blind, false);
   BOOST_TEST(misses(c));

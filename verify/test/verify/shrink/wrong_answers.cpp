@@ -3,11 +3,11 @@
 #include "verify/shrink/wrong_answers.h"
 
 #include "verify/cases/shape_generators.h"
+#include "verify/test/support/object_cases.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -22,11 +22,7 @@ namespace {
 
 Object_case cubes(const Pose& pose_b, double size = 1)
 {
-  Object_case c;
-  c.a = std::make_shared<covering::Polyhedron>(verify::unit_cube());
-  c.b = std::make_shared<covering::Polyhedron>(verify::box({0, 0, 0}, {size, size, size}));
-  c.pose_b = pose_b;
-  return c;
+  return verify::scenes::object_case(verify::unit_cube(), Pose(), verify::box({0, 0, 0}, {size, size, size}), pose_b);
 }
 
 bool names(const std::vector<verify::Wrong>& wrong, const std::string& subject)

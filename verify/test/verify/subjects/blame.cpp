@@ -2,9 +2,9 @@
 
 #include "tetracone/kernel/predicate/frame.h"
 #include "tetracone/kernel/predicate/tetrahedron.h"
+#include "verify/shrink/shrink.h"
 #include "verify/subjects/blame_stages.h"
 #include "verify/test/support/object_cases.h"
-#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -87,14 +87,9 @@ using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
 using Random = tetracone::verify::scenes::Random;
 namespace kernel = tetracone::kernel;
-using tetracone::verify::Question;
+using tetracone::kernel::Question;
 
 namespace {
-
-bool truth_of(const Object_case& c, Question question)
-{
-  return collide(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b, question);
-}
 
 /// The body with its images in K for vertices. Requires triangles: other faces need not stay planar.
 template <class K>
@@ -111,8 +106,8 @@ Polyhedron rounded_body(Polyhedron body, const Pose& pose)
 template <class K>
 bool right_on_rounded_images(const Object_case& c, Question question, bool truth)
 {
-  return truth_of(object_case(rounded_body<K>(*c.a, c.pose_a), Pose(), rounded_body<K>(*c.b, c.pose_b), Pose()),
-                  question) == truth;
+  return true_answer(object_case(rounded_body<K>(*c.a, c.pose_a), Pose(), rounded_body<K>(*c.b, c.pose_b), Pose()),
+                     question) == truth;
 }
 
 }  // namespace
@@ -135,14 +130,10 @@ BOOST_AUTO_TEST_CASE(the_pose_is_to_blame_exactly_when_exact_signs_of_rounded_im
     const Pose rotation = random_rotation(random, 9);
     const std::array<Rational, 3> shifts[] = {{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, Rational(1) / 3, Rational(1) / 7}};
     const auto& shift = shifts[k % 4];
-    std::array<Rational, 12> moved;
-    for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 4; ++column) moved[4 * row + column] = rotation.exact(4 * row + column);
-      for (int column = 0; column < 3; ++column) moved[4 * row + 3] += rotation.exact(4 * row + column) * shift[column];
-    }
-    const Object_case c = object_case(cube, rotation, k % 2 ? cube : box, Pose(moved));
+    const Pose moved = composed(rotation, Pose({1, 0, 0, shift[0], 0, 1, 0, shift[1], 0, 0, 1, shift[2]}));
+    const Object_case c = object_case(cube, rotation, k % 2 ? cube : box, moved);
     const Question question = k % 3 == 0 ? Question::solid : Question::surface;
-    const bool truth = truth_of(c, question);
+    const bool truth = true_answer(c, question);
     for (const Method method : all_methods) {
       const auto judge = [&]<class K>(const char* name, K) {
         const Subject subject = *Subject::parse(name, method);
@@ -175,7 +166,7 @@ BOOST_AUTO_TEST_CASE(the_pose_is_to_blame_where_it_takes_a_coordinate_beyond_the
   const Object_case apart = object_case(unit_cube(), translation(1e39, 0, 0), unit_cube(), translation(3e39, 0, 0));
   int blamed = 0;
   for (const Object_case* c : {&together, &apart}) {
-    const bool truth = truth_of(*c, Question::solid);
+    const bool truth = true_answer(*c, Question::solid);
     BOOST_TEST(truth == (c == &together));
     const auto stage = blame(*Subject::parse("float"), *c, Question::solid, truth);
     if (stage) BOOST_TEST((*stage == Stage::pose));
@@ -201,7 +192,7 @@ BOOST_AUTO_TEST_CASE(unmoved_bodies_leave_only_the_signs_to_blame)
       far_2[i] = far[i] + (r[i] - p[i]) / 8;
     }
     const Object_case c = object_case(tetrahedron(p, q, r, top), Pose(), tetrahedron(on, far, far_1, far_2), Pose());
-    const bool truth = truth_of(c, Question::surface);
+    const bool truth = true_answer(c, Question::surface);
     const auto stage = blame(*Subject::parse("double", Method::brute), c, Question::surface, truth);
     if (stage) BOOST_TEST((*stage == Stage::leaf_sign));
     wrong += stage.has_value();
@@ -233,7 +224,7 @@ BOOST_AUTO_TEST_CASE(a_box_of_the_exact_place_that_leaves_a_rounded_image_out_is
       return translation(far + real(random, -0.5, 0.5), far + real(random, -0.5, 0.5), far + real(random, -0.5, 0.5));
     };
     const Object_case c = object_case(unit_cube(), place(), unit_cube(), place());
-    const bool truth = truth_of(c, Question::surface);
+    const bool truth = true_answer(c, Question::surface);
     if (const auto stage = blame(*Subject::parse("float"), c, Question::surface, truth)) ++stages[*stage];
   }
   BOOST_TEST(stages[Stage::bounding_box] > 0);
@@ -252,7 +243,7 @@ std::map<Stage, int> stages_of(Question question, const Blame& blame)
     const double s = k % 2 == 0 ? 1 : 0.125, x = shift(), y = shift(), z = shift();
     // A quarter turn: every image is a double, and exact.
     const Object_case c = object_case(a, Pose(), b, Pose(std::array<double, 12>{0, -s, 0, x, s, 0, 0, y, 0, 0, s, z}));
-    if (const auto stage = blame(c, truth_of(c, question))) ++stages[*stage];
+    if (const auto stage = blame(c, true_answer(c, question))) ++stages[*stage];
   }
   return stages;
 }

@@ -1,6 +1,7 @@
 #include "verify/subjects/predicate_subject.h"
 
 #include "verify/cases/random.h"
+#include "verify/families/named_family.h"
 #include "verify/subjects/segment_triangle_formulations.h"
 #include "verify/truth/predicate_truth.h"
 
@@ -19,11 +20,10 @@ using namespace tetracone::verify;
 
 namespace {
 
-const Predicate_subject& subject(const std::string& name)
+const Predicate_subject& subject(const char* name)
 {
-  const auto& all = predicate_subjects();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Predicate_subject& s) { return s.name == name; });
-  BOOST_REQUIRE_MESSAGE(found != all.end(), name);
+  const Predicate_subject* found = find_named(predicate_subjects(), name);
+  BOOST_REQUIRE_MESSAGE(found != nullptr, name);
   return *found;
 }
 

@@ -4,38 +4,11 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <algorithm>
-#include <array>
-#include <map>
-
 BOOST_AUTO_TEST_SUITE(test_cgal_truth)
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
 using Random = tetracone::verify::scenes::Random;
-
-namespace {
-
-/// The possible positions of a pair: it is apart, only the solids meet (one is in the other), or the surfaces meet.
-enum class Meet { apart, nested, surface };
-
-std::ostream& operator<<(std::ostream& out, Meet meet)
-{
-  return out << (meet == Meet::apart ? "apart" : meet == Meet::nested ? "nested" : "surface");
-}
-
-Meet meet(const Polyhedron& a, const Polyhedron& b)
-{
-  const Brute_body body_a(a), body_b(b);
-  const Placed_body placed_a(body_a, Pose()), placed_b(body_b, Pose());
-  const bool solid = collide(placed_a, placed_b, Question::solid),
-             surface = collide(placed_a, placed_b, Question::surface);
-  BOOST_TEST((solid || !surface));
-  BOOST_TEST(surface == !features(placed_a, placed_b).empty());
-  return surface ? Meet::surface : solid ? Meet::nested : Meet::apart;
-}
-
-}  // namespace
 
 BOOST_AUTO_TEST_CASE(an_open_surface_has_no_solid)
 {
@@ -48,82 +21,6 @@ BOOST_AUTO_TEST_CASE(an_open_surface_has_no_solid)
   BOOST_CHECK_THROW(inside(triangle, {0, 0, 1}), std::invalid_argument);
   BOOST_TEST(!collide(triangle, Pose(), solid, Pose(), Question::surface));
   BOOST_TEST(collide(triangle, translation(1.5, 0, 0), solid, Pose(), Question::surface));
-}
-
-namespace {
-
-using Corner = std::array<long, 3>;
-using Tetrahedron = std::array<Corner, 4>;
-
-Corner minus(const Corner& a, const Corner& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Corner outer(const Corner& a, const Corner& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-long inner(const Corner& a, const Corner& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-long determinant(const Tetrahedron& t) { return inner(minus(t[1], t[0]), outer(minus(t[2], t[0]), minus(t[3], t[0]))); }
-
-/// Closed, by separating axes: normals of faces, products of edges.
-bool tetrahedra_meet(const Tetrahedron& a, const Tetrahedron& b)
-{
-  const auto separates = [&](const Corner& axis) {
-    long low_a = inner(axis, a[0]), high_a = low_a, low_b = inner(axis, b[0]), high_b = low_b;
-    for (int i = 1; i < 4; ++i) {
-      low_a = std::min(low_a, inner(axis, a[i]));
-      high_a = std::max(high_a, inner(axis, a[i]));
-      low_b = std::min(low_b, inner(axis, b[i]));
-      high_b = std::max(high_b, inner(axis, b[i]));
-    }
-    return high_a < low_b || high_b < low_a;
-  };
-  for (const Tetrahedron& t : {a, b})
-    for (int i = 0; i < 4; ++i)
-      if (separates(outer(minus(t[(i + 1) % 4], t[i]), minus(t[(i + 2) % 4], t[i])))) return false;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < i; ++j)
-      for (int k = 0; k < 4; ++k)
-        for (int l = 0; l < k; ++l)
-          if (separates(outer(minus(a[i], a[j]), minus(b[k], b[l])))) return false;
-  return true;
-}
-
-/// Strictly inside, all of it.
-bool is_inside(const Tetrahedron& inner, const Tetrahedron& outer)
-{
-  for (const Corner& p : inner)
-    for (int i = 0; i < 4; ++i) {
-      Tetrahedron part = outer;
-      part[i] = p;
-      if ((determinant(part) > 0) != (determinant(outer) > 0) || determinant(part) == 0) return false;
-    }
-  return true;
-}
-
-}  // namespace
-
-BOOST_AUTO_TEST_CASE(small_tetrahedra_agree_with_separating_axes_in_whole_numbers)
-{
-  Random random(9);
-  std::map<Meet, int> seen;
-  for (int round = 0; round < 4000; ++round) {
-    Tetrahedron a, b;
-    for (auto [t, radius] : {std::pair{&a, round % 2 ? 6 : 2}, {&b, round % 2 ? 1 : 2}}) do
-        for (Corner& p : *t)
-          p = {integer(random, -radius, radius), integer(random, -radius, radius), integer(random, -radius, radius)};
-      while (determinant(*t) == 0);
-    const Meet expected = !tetrahedra_meet(a, b)               ? Meet::apart
-                          : is_inside(a, b) || is_inside(b, a) ? Meet::nested
-                                                               : Meet::surface;
-    ++seen[expected];
-    const auto body = [](const Tetrahedron& t) {
-      const auto vertex = [&](int i) { return Vertex{double(t[i][0]), double(t[i][1]), double(t[i][2])}; };
-      return tetrahedron(vertex(0), vertex(1), vertex(2), vertex(3));
-    };
-    BOOST_TEST_INFO_SCOPE("round " << round);
-    BOOST_TEST(meet(body(a), body(b)) == expected);
-  }
-  for (const Meet kind : {Meet::apart, Meet::nested, Meet::surface})
-    BOOST_TEST(seen[kind] > 20, kind << " came too seldom");
 }
 
 BOOST_AUTO_TEST_CASE(points_are_inside_on_or_outside_voxels_as_their_cells_say)

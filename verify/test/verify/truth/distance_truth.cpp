@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_distance_truth)
 
@@ -181,10 +180,9 @@ BOOST_AUTO_TEST_CASE(roots_are_rounded_to_the_nearest_double)
   Random random(3);
   const auto check = [](const Rational& square) {
     const double x = kernel::nearest_root(square);
-    const Rational middle_below = (Rational(x) + Rational(std::nextafter(x, 0.0))) / 2,
-                   middle_above = (Rational(x) + Rational(std::nextafter(x, HUGE_VAL))) / 2;
-    BOOST_TEST((middle_below * middle_below <= square && square <= middle_above * middle_above));
-    if (middle_below * middle_below == square || middle_above * middle_above == square)
+    BOOST_TEST(is_nearest_root(x, square));
+    // Of two nearest doubles it is the even one.
+    if (is_nearest_root(std::nextafter(x, 0.0), square) || is_nearest_root(std::nextafter(x, HUGE_VAL), square))
       BOOST_TEST(std::remainder(std::ldexp(x, 52 - std::ilogb(x)), 2) == 0);
   };
   for (int step = 0; step < 2000; ++step) {

@@ -5,8 +5,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <array>
-
 BOOST_AUTO_TEST_SUITE(test_exit_truth)
 
 using namespace tetracone::verify;
@@ -34,28 +32,16 @@ BOOST_AUTO_TEST_CASE(events_tell_where_boxes_part_and_meet_again)
   BOOST_TEST((exits_by_events(of(scenes::box({0, 0, 0}, {2, 1, 1}), gap), {1, 0, 0}) == Solid_exits{1, 4}));
 }
 
-BOOST_AUTO_TEST_CASE(normals_of_convex_bodies_say_what_events_do)
+BOOST_AUTO_TEST_CASE(normals_of_convex_bodies_say_where_they_part)
 {
-  scenes::Random random(4);
-  const scenes::Polyhedron a = scenes::unit_cube(), b = scenes::tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2});
-  for (int round = 0; round < 6; ++round) {
-    const Object_case c = of(a, b, scenes::random_rotation(random, 3));
-    const std::array<Rational, 3> d = {round - 2, 1, Rational(1, 3)};
-    const Rational exit = convex_exit(c, d);
-    BOOST_TEST((exits_by_events(c, d) == Solid_exits{exit, exit}));
-  }
+  const scenes::Polyhedron a = scenes::unit_cube();
   BOOST_TEST(convex_exit(of(a, a), {2, 0, 0}) == Rational(1, 2));
   BOOST_TEST(convex_exit(of(a, a, Pose::translation(0, 1, 0)), {2, 0, 0}) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(minkowski_sums_know_the_depths_of_convex_bodies_and_of_cells)
 {
-  scenes::Random random(5);
-  const scenes::Polyhedron a = scenes::unit_cube(), b = scenes::tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2});
-  for (int round = 0; round < 3; ++round) {
-    const Object_case c = of(a, b, scenes::random_rotation(random, 3));
-    BOOST_TEST(*minkowski_squared_depth(c) == convex_squared_depth(c));
-  }
+  const scenes::Polyhedron a = scenes::unit_cube();
   BOOST_TEST(*minkowski_squared_depth(of(a, a, Pose::translation(1, 0, 0))) == 0);
 
   // A slot two cells wide and two deep, and a peg that fits it and is half a cell below its floor.

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(test_moving_bodies_truth)
 
