@@ -9,7 +9,6 @@
 #include <CGAL/enum.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace tetracone::covering {

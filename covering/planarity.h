@@ -10,7 +10,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace tetracone::covering {

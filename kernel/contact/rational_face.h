@@ -5,7 +5,6 @@
 #include "tetracone/kernel/predicate/face_contact.h"
 
 #include <array>
-#include <cstddef>
 #include <utility>
 #include <vector>
 

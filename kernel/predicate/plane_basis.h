@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <span>
 
 namespace tetracone::kernel {
 

@@ -8,7 +8,6 @@
 #include "tetracone/kernel/predicate/triangle_contact.h"
 #include "tetracone/kernel/simd/simd.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 

@@ -6,9 +6,7 @@
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <cstddef>
-#include <future>
 #include <string>
-#include <utility>
 
 namespace tetracone {
 namespace {

@@ -7,7 +7,6 @@
 #include "tetracone/kernel/simd/simd.h"
 #include "tetracone/tetratree/fast/bvh8_descent.h"
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>

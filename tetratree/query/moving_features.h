@@ -22,7 +22,6 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <span>
 #include <utility>
 #include <vector>
 

@@ -10,7 +10,6 @@
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>

@@ -5,8 +5,6 @@
 #include "tetracone/tetratree/query/bvh8_distance.h"
 
 #include <array>
-#include <cmath>
-#include <string>
 
 namespace tetracone::detail {
 namespace {
