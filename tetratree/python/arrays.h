@@ -20,6 +20,11 @@ namespace tetracone::python {
 /// Returns the error with `to` in place of `from`, where its line begins with `from`.
 Error renamed(const Error& error, std::string_view from, const std::string& to);
 
+/// Returns how many answers two counts ask for, where one of either serves all of the other. Throws Error for others:
+/// "ABOUT: N FIRST and M SECOND; expected as many, or one of either".
+std::size_t common_count(const std::string& about, std::size_t n, const std::string& first, std::size_t m,
+                         const std::string& second);
+
 /// An array of doubles, read in place, or of exact numbers as texts. A decimal stands for the double nearest to it, a
 /// fraction "n/d" for itself.
 class Numbers {

@@ -81,6 +81,19 @@ class Rows {
   std::size_t count_;
 };
 
+/// Calls ask(k) for each point, as `for_each_unlocked`. Throws Error with the point's name.
+template <class Ask>
+void for_each_point(const Rows& points, const Ask& ask)
+{
+  for_each_unlocked(points.count(), no_lock, [&](std::size_t k) {
+    try {
+      ask(k);
+    } catch (const Error& error) {
+      throw renamed(error, "point:", points.name(k) + ":");
+    }
+  });
+}
+
 py::object inside(const Python_body& self, const py::object& values)
 {
   const Rows points(values, "points", "point");
@@ -90,14 +103,9 @@ py::object inside(const Python_body& self, const py::object& values)
     const py::gil_scoped_release unlocked;
     self.body.inside(std::span<const std::array<double, 3>>());  // an open surface is refused without points too
   }
-  No_lock none;
-  for_each_unlocked(points.count(), none, [&](std::size_t k) {
-    try {
-      answer[k] =
-          std::int8_t(points.is_exact_text() ? self.body.inside_text(points.text(k)) : self.body.inside(points.row(k)));
-    } catch (const Error& error) {
-      throw renamed(error, "point:", points.name(k) + ":");
-    }
+  for_each_point(points, [&](std::size_t k) {
+    answer[k] =
+        std::int8_t(points.is_exact_text() ? self.body.inside_text(points.text(k)) : self.body.inside(points.row(k)));
   });
   if (points.is_one()) return py::int_(int(answer[0]));
   return answers;
@@ -111,13 +119,8 @@ py::tuple nearest(const Python_body& self, const py::object& values)
     const py::gil_scoped_release unlocked;
     self.body.nearest(std::span<const std::array<double, 3>>());  // an open surface is refused without points too
   }
-  No_lock none;
-  for_each_unlocked(points.count(), none, [&](std::size_t k) {
-    try {
-      answers[k] = points.is_exact_text() ? self.body.nearest_text(points.text(k)) : self.body.nearest(points.row(k));
-    } catch (const Error& error) {
-      throw renamed(error, "point:", points.name(k) + ":");
-    }
+  for_each_point(points, [&](std::size_t k) {
+    answers[k] = points.is_exact_text() ? self.body.nearest_text(points.text(k)) : self.body.nearest(points.row(k));
   });
   const auto count = static_cast<py::ssize_t>(answers.size());
   py::array_t<double> distances(count), at({count, py::ssize_t(3)});
@@ -236,8 +239,7 @@ py::object first_hit(const Python_body& self, const py::object& origins, const p
   py::array_t<double> ts(count);
   std::int64_t* const face = faces.mutable_data();
   double* const t = ts.mutable_data();
-  No_lock none;
-  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+  for_each_unlocked(rays.count(), no_lock, [&](std::size_t k) {
     const auto hit = rays.answer(k, [&](const Ray& ray) { return self.body.first_hit(ray, ends(k)); });
     face[k] = hit ? std::int64_t(hit->face) : -1;
     t[k] = hit ? hit->t : std::numeric_limits<double>::infinity();
@@ -253,8 +255,7 @@ py::object is_hit(const Python_body& self, const py::object& origins, const py::
   const Rays rays(origins, directions, ends);
   py::array_t<bool> answers(static_cast<py::ssize_t>(rays.count()));
   bool* const answer = answers.mutable_data();
-  No_lock none;
-  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+  for_each_unlocked(rays.count(), no_lock, [&](std::size_t k) {
     answer[k] = rays.answer(k, [&](const Ray& ray) { return self.body.is_hit(ray, ends(k)); });
   });
   if (rays.is_one()) return py::bool_(answer[0]);
@@ -267,8 +268,7 @@ py::object crossings(const Python_body& self, const py::object& origins, const p
   const Face_numbers faces(of_faces);
   const Rays rays(origins, directions, faces);
   std::vector<std::string_view> found(rays.count());
-  No_lock none;
-  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+  for_each_unlocked(rays.count(), no_lock, [&](std::size_t k) {
     found[k] = rays.answer(k, [&](const Ray& ray) {
       return faces.answer(k, std::string_view(), [&](Index face) { return to_string(self.body.crossing(ray, face)); });
     });
@@ -286,8 +286,7 @@ py::object face_normals(const Python_body& self, const py::object& of_faces)
   double* const row = rows.mutable_data();
   std::array<double, 3> no_normal{};
   no_normal.fill(std::numeric_limits<double>::quiet_NaN());
-  No_lock none;
-  for_each_unlocked(faces.count(), none, [&](std::size_t k) {
+  for_each_unlocked(faces.count(), no_lock, [&](std::size_t k) {
     std::ranges::copy(faces.answer(k, no_normal, [&](Index face) { return self.body.normal(face); }), row + 3 * k);
   });
   return faces.is_one() ? py::object(rows.attr("reshape")(3)) : rows;
@@ -299,8 +298,7 @@ py::tuple hits(const Python_body& self, const py::object& origins, const py::obj
   const Rays rays(origins, directions, ends);
   std::vector<std::int64_t> ray_of, faces;
   std::vector<double> ts;
-  No_lock none;
-  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+  for_each_unlocked(rays.count(), no_lock, [&](std::size_t k) {
     for (const Ray_hit& hit : rays.answer(k, [&](const Ray& ray) { return self.body.hits(ray, ends(k)); })) {
       ray_of.push_back(std::int64_t(k));
       faces.push_back(std::int64_t(hit.face));

@@ -15,14 +15,6 @@ namespace py = pybind11;
 
 namespace {
 
-std::size_t common_count(std::size_t from, std::size_t to, const std::string& body)
-{
-  if (from != to && from != 1 && to != 1)
-    throw Error("motion: " + std::to_string(from) + " poses" + (body.empty() ? "" : " of " + body) + " at t = 0 and " +
-                std::to_string(to) + " at t = 1; expected as many, or one of either");
-  return from == 1 ? to : from;
-}
-
 /// Rigid poses as quaternions and translations.
 class Rigid_poses {
  public:
@@ -93,7 +85,9 @@ Motions::Motions(const py::object& from, const py::object& to, const std::string
   const std::string start = "poses_" + body + "0", end = "poses_" + body + "1";
   const auto make = [&](const auto& first, const auto& last, const auto& motion) {
     is_one_ = first.is_one() && last.is_one();
-    const std::size_t count = common_count(first.count(), last.count(), body);
+    const std::size_t count =
+        common_count("motion", first.count(), " poses" + (body.empty() ? "" : " of " + body) + " at t = 0",
+                     last.count(), " at t = 1");
     for (std::size_t k = 0; k < count; ++k)
       motions_.push_back(motion(first.count() == 1 ? 0 : k, last.count() == 1 ? 0 : k));
   };
