@@ -26,13 +26,11 @@ detail::Distance_solver& distance_of(detail::Query_data& data)
 
 }  // namespace
 
-double Query::distance(const Pose& pose_a, const Pose& pose_b) { return distance(pose_a.exact(), pose_b.exact()); }
 double Query::distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return distance_of(data()).distance(pose_a, pose_b, data().question);
 }
 
-Nearest Query::nearest(const Pose& pose_a, const Pose& pose_b) { return nearest(pose_a.exact(), pose_b.exact()); }
 Nearest Query::nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return distance_of(data()).nearest(pose_a, pose_b, data().question);
@@ -42,10 +40,6 @@ bool Query::within(const Pose& pose_a, const Pose& pose_b, double limit)
 {
   if (!std::isfinite(limit)) refuse_limit(kernel::shortest(limit));
   return distance_of(data()).within(pose_a.exact(), pose_b.exact(), data().question, limit);
-}
-bool Query::within(const Pose& pose_a, const Pose& pose_b, const std::string& limit)
-{
-  return within(pose_a.exact(), pose_b.exact(), limit);
 }
 bool Query::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit)
 {

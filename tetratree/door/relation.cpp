@@ -57,34 +57,21 @@ std::array<std::string, 3> Overlap::exact_contact_vector() const
   return texts({x, y, z});
 }
 
-Solid_contact Query::solid_relation(const Pose& pose_a, const Pose& pose_b)
-{
-  return solid_relation(pose_a.exact(), pose_b.exact());
-}
 Solid_contact Query::solid_relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return detail::relation_of(data()).relation(pose_a, pose_b);
 }
 
-Solid_relation Query::solid_relation_alone(const Pose& pose_a, const Pose& pose_b)
-{
-  return solid_relation_alone(pose_a.exact(), pose_b.exact());
-}
 Solid_relation Query::solid_relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return detail::relation_of(data()).relation_alone(pose_a, pose_b);
 }
 
-Overlap Query::overlap(const Pose& pose_a, const Pose& pose_b) { return overlap(pose_a.exact(), pose_b.exact()); }
 Overlap Query::overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return detail::relation_of(data()).overlap(pose_a, pose_b);
 }
 
-Overlap_bounds Query::overlap_bounds(const Pose& pose_a, const Pose& pose_b)
-{
-  return overlap_bounds(pose_a.exact(), pose_b.exact());
-}
 Overlap_bounds Query::overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return detail::relation_of(data()).overlap_bounds(pose_a, pose_b);
