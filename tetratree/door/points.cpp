@@ -104,7 +104,7 @@ class Signed_distances {
   /// Returns the answer for a point, by enclosures if they have decided it.
   Nearest_point answer(const std::array<double, 3>& x, const std::optional<tetratree::Surface_point>& found)
   {
-    if (!found) return exactly({x[0], x[1], x[2]});
+    if (!found) return exactly(kernel::exact_point(x));
     return {signed_by(locator_.locate(x), found->distance), found->point, holder(*found), found->is_only};
   }
 

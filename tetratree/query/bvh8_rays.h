@@ -276,10 +276,7 @@ class Bvh8_rays {
     }
     if (const auto loop = tree_->model().covering().from(face); loop.size() == 3) {
       std::array<kernel::Rational_vector, 3> corners;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const covering::Vertex& v = tree_->model().vertices()[loop[k]];
-        corners[k] = {v[0], v[1], v[2]};
-      }
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = kernel::exact_point(tree_->model().vertices()[loop[k]]);
       if (auto t = kernel::ray_crossing(*exact_ray_, corners)) return *std::move(t);
     }
     return kernel::ray_face(*exact_ray_, Exact_face(tree_->model(), face));
