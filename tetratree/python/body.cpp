@@ -49,41 +49,11 @@ void save(const Python_body& self, const py::object& path)
   save_body(self.body, name);
 }
 
-/// An array (n, 3), or one row (3,).
-class Rows {
- public:
-  Rows(const py::object& values, const std::string& name, const char* one) : name_(name), numbers_(values, name)
-  {
-    const std::size_t dimensions = numbers_.dimensions();
-    if ((dimensions != 1 && dimensions != 2) || numbers_.extent(dimensions - 1) != 3)
-      throw Error(name + ": an array of shape " + numbers_.shape() + "; expected (n, 3), or one " + one + " (3,)");
-    is_one_ = dimensions == 1;
-    count_ = is_one_ ? 1 : numbers_.extent(0);
-  }
-
-  bool is_one() const { return is_one_; }
-  std::size_t count() const { return count_; }
-  bool is_exact_text() const { return numbers_.is_exact_text(); }
-  std::array<double, 3> row(std::size_t k) const { return {number(k, 0), number(k, 1), number(k, 2)}; }
-  std::array<std::string, 3> text(std::size_t k) const { return {word(k, 0), word(k, 1), word(k, 2)}; }
-  std::string name(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
-
- private:
-  double number(std::size_t k, std::size_t i) const { return is_one_ ? numbers_.number(i) : numbers_.number(k, i); }
-  const std::string& word(std::size_t k, std::size_t i) const
-  {
-    return is_one_ ? numbers_.text(i) : numbers_.text(k, i);
-  }
-
-  std::string name_;
-  Numbers numbers_;
-  bool is_one_;
-  std::size_t count_;
-};
+using Points = Rows<3>;
 
 /// Calls ask(k) for each point, as `for_each_unlocked`. Throws Error with the point's name.
 template <class Ask>
-void for_each_point(const Rows& points, const Ask& ask)
+void for_each_point(const Points& points, const Ask& ask)
 {
   for_each_unlocked(points.count(), no_lock, [&](std::size_t k) {
     try {
@@ -96,7 +66,7 @@ void for_each_point(const Rows& points, const Ask& ask)
 
 py::object inside(const Python_body& self, const py::object& values)
 {
-  const Rows points(values, "points", "point");
+  const Points points(values, "points", "point");
   py::array_t<std::int8_t> answers(static_cast<py::ssize_t>(points.count()));
   std::int8_t* const answer = answers.mutable_data();
   {
@@ -113,7 +83,7 @@ py::object inside(const Python_body& self, const py::object& values)
 
 py::tuple nearest(const Python_body& self, const py::object& values)
 {
-  const Rows points(values, "points", "point");
+  const Points points(values, "points", "point");
   std::vector<Nearest_point> answers(points.count());
   {
     const py::gil_scoped_release unlocked;
@@ -197,7 +167,7 @@ class Rays {
   Rays(const py::object& origins, const py::object& directions, const Column& more)
       : origins_(origins, "origins", "origin"), directions_(directions, "directions", "direction"), more_(more)
   {
-    for (const Rows* rows : {&origins_, &directions_})
+    for (const Points* rows : {&origins_, &directions_})
       if (rows->is_exact_text()) throw Error(rows->name(0) + ": numbers that are no doubles; expected doubles");
     if (!origins_.is_one() && !directions_.is_one() && origins_.count() != directions_.count())
       throw Error("rays: " + std::to_string(origins_.count()) + " origins and " + std::to_string(directions_.count()) +
@@ -225,7 +195,7 @@ class Rays {
   bool are_one() const { return origins_.is_one() && directions_.is_one(); }
   std::size_t count_of_rays() const { return origins_.is_one() ? directions_.count() : origins_.count(); }
 
-  Rows origins_, directions_;
+  Points origins_, directions_;
   const Column& more_;
 };
 
