@@ -247,13 +247,7 @@ class Motion_span {
                  last = share * (2 * share - 1);
     const auto mean = [&](double x, double y, double z) { return first * x + middle * y + last * z; };
     const auto& [start, half, end] = landmark_;
-    Maps maps;
-    for (int i = 0; i < 3; ++i) {
-      maps.offset[i] = mean(start.offset[i], half.offset[i], end.offset[i]);
-      for (int body = 0; body < 2; ++body)
-        for (int j = 0; j < 3; ++j)
-          maps.row[body][i][j] = mean(start.row[body][i][j], half.row[body][i][j], end.row[body][i][j]);
-    }
+    Maps maps = each_entry(mean, start, half, end);
     maps.weight = 1;
     return maps;
   }
@@ -358,15 +352,24 @@ class Motion_span {
     return value;
   }
 
+  /// Returns the maps of what(the entries of `given`) for every entry but the weight.
+  template <class What, class... Given>
+  static Maps each_entry(const What& what, const Given&... given)
+  {
+    Maps maps;
+    for (int i = 0; i < 3; ++i) {
+      maps.offset[i] = what(given.offset[i]...);
+      for (int body = 0; body < 2; ++body)
+        for (int k = 0; k < 3; ++k) maps.row[body][i][k] = what(given.row[body][i][k]...);
+    }
+    return maps;
+  }
+
   static Maps average(const Maps& x, const Maps& y)
   {
-    Maps z;
-    for (int i = 0; i < 3; ++i) {
-      z.offset[i] = 0.5 * (x.offset[i] + y.offset[i]);
-      for (int body = 0; body < 2; ++body)
-        for (int k = 0; k < 3; ++k) z.row[body][i][k] = 0.5 * (x.row[body][i][k] + y.row[body][i][k]);
-    }
-    z.weight = 0.5 * (x.weight + y.weight);
+    const auto mean = [](double a, double b) { return 0.5 * (a + b); };
+    Maps z = each_entry(mean, x, y);
+    z.weight = mean(x.weight, y.weight);
     return z;
   }
 
@@ -409,25 +412,19 @@ class Motion_span {
     }
   }
 
-  static Maps over_weight(Maps maps)
+  static Maps over_weight(const Maps& maps)
   {
-    for (int i = 0; i < 3; ++i) {
-      maps.offset[i] /= maps.weight;
-      for (auto& row : maps.row)
-        for (double& x : row[i]) x /= maps.weight;
-    }
-    return maps;
+    Maps quotient = each_entry([&](double x) { return x / maps.weight; }, maps);
+    quotient.weight = maps.weight;
+    return quotient;
   }
 
   /// Returns the maps times a power of two, except their weight.
-  static Maps times(Maps maps, double factor)
+  static Maps times(const Maps& maps, double factor)
   {
-    for (int i = 0; i < 3; ++i) {
-      maps.offset[i] *= factor;
-      for (auto& row : maps.row)
-        for (double& x : row[i]) x *= factor;
-    }
-    return maps;
+    Maps product = each_entry([&](double x) { return x * factor; }, maps);
+    product.weight = maps.weight;
+    return product;
   }
 
   std::size_t size_ = 0;

@@ -166,7 +166,7 @@ class Bvh8_rays {
       local_ = kernel::Local_ray::of(tree_->scale(), ray.origin, filter_->direction());
       if (!local_) return;
       const auto& d = filter_->direction();
-      per_t_ = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / tree_->scale().unit;
+      per_t_ = std::sqrt(kernel::dot(d, d)) / tree_->scale().unit;
       // The quotient of rounded numbers is as exact as an enclosure's end.
       if (end < no_end) farthest_ = kernel::minimum(farthest_, scaled_end().second * per_t_ - local_->skipped);
     }
