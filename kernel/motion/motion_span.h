@@ -82,7 +82,7 @@ class Motion_span {
   struct Maps {
     std::array<std::array<Vertex, 3>, 2> row;
     Vertex offset;
-    double weight;
+    double weight = 1;
   };
 
   /// The span that is all of the time.
@@ -139,7 +139,6 @@ class Motion_span {
       const Pose &of_a = a[end], &of_b = b[end];
       if (of_a.is_rational() || of_b.is_rational()) return std::nullopt;
       Maps& maps = span.coefficient_[end];
-      maps.weight = 1;
       for (int j = 0; j < 3; ++j) {
         // The error is 24 u^2 of the terms, and the rounding of the sum.
         Double_double offset = Double_double::sum(of_b[4 * j + 3], -of_a[4 * j + 3]);
@@ -247,9 +246,7 @@ class Motion_span {
                  last = share * (2 * share - 1);
     const auto mean = [&](double x, double y, double z) { return first * x + middle * y + last * z; };
     const auto& [start, half, end] = landmark_;
-    Maps maps = each_entry(mean, start, half, end);
-    maps.weight = 1;
-    return maps;
+    return each_entry(mean, start, half, end);
   }
 
   /// Returns approximately the relative motion, in the span, of parts of a body that are 1 apart in its local units.
@@ -287,6 +284,27 @@ class Motion_span {
   {
     const Vertex from = direction(maps, 0, a), to = direction(maps, 1, b);
     return {maps.offset[0] + (to[0] - from[0]), maps.offset[1] + (to[1] - from[1]), maps.offset[2] + (to[2] - from[2])};
+  }
+
+  /// Returns the maps of what(the entries of `given`), with a weight of 1.
+  template <class What, class... Given>
+  static Maps each_entry(const What& what, const Given&... given)
+  {
+    Maps maps;
+    for (int i = 0; i < 3; ++i) {
+      maps.offset[i] = what(given.offset[i]...);
+      for (int body = 0; body < 2; ++body)
+        for (int k = 0; k < 3; ++k) maps.row[body][i][k] = what(given.row[body][i][k]...);
+    }
+    return maps;
+  }
+
+  /// Returns the maps divided by their weight, which stays.
+  static Maps over_weight(const Maps& maps)
+  {
+    Maps quotient = each_entry([&](double x) { return x / maps.weight; }, maps);
+    quotient.weight = maps.weight;
+    return quotient;
   }
 
  private:
@@ -352,19 +370,6 @@ class Motion_span {
     return value;
   }
 
-  /// Returns the maps of what(the entries of `given`) for every entry but the weight.
-  template <class What, class... Given>
-  static Maps each_entry(const What& what, const Given&... given)
-  {
-    Maps maps;
-    for (int i = 0; i < 3; ++i) {
-      maps.offset[i] = what(given.offset[i]...);
-      for (int body = 0; body < 2; ++body)
-        for (int k = 0; k < 3; ++k) maps.row[body][i][k] = what(given.row[body][i][k]...);
-    }
-    return maps;
-  }
-
   static Maps average(const Maps& x, const Maps& y)
   {
     const auto mean = [](double a, double b) { return 0.5 * (a + b); };
@@ -410,13 +415,6 @@ class Motion_span {
           scale_[body] = maximum(scale_[body], std::abs(at(1)));
         }
     }
-  }
-
-  static Maps over_weight(const Maps& maps)
-  {
-    Maps quotient = each_entry([&](double x) { return x / maps.weight; }, maps);
-    quotient.weight = maps.weight;
-    return quotient;
   }
 
   /// Returns the maps times a power of two, except their weight.

@@ -19,10 +19,7 @@ detail::Distance_solver& distance_of(detail::Query_data& data)
   return *data.distance;
 }
 
-[[noreturn]] void refuse_limit(const std::string& limit)
-{
-  throw Error("query: limit '" + limit.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
-}
+kernel::Rational limit_of(const std::string& text) { return kernel::required_number(text, "query: limit "); }
 
 }  // namespace
 
@@ -38,14 +35,13 @@ Nearest Query::nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 
 bool Query::within(const Pose& pose_a, const Pose& pose_b, double limit)
 {
-  if (!std::isfinite(limit)) refuse_limit(kernel::shortest(limit));
-  return distance_of(data()).within(pose_a.exact(), pose_b.exact(), data().question, limit);
+  const kernel::Rational exact = std::isfinite(limit) ? kernel::Rational(limit) : limit_of(kernel::shortest(limit));
+  return distance_of(data()).within(pose_a.exact(), pose_b.exact(), data().question, exact);
 }
 bool Query::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit)
 {
-  const auto number = kernel::parse_number(limit);
-  if (!number) refuse_limit(limit);
-  return distance_of(data()).within(pose_a, pose_b, data().question, *number);
+  const kernel::Rational exact = limit_of(limit);
+  return distance_of(data()).within(pose_a, pose_b, data().question, exact);
 }
 
 std::vector<Index> Query::zone(const Pose& pose_a, const Pose& pose_b, const std::string& limit)
@@ -54,9 +50,8 @@ std::vector<Index> Query::zone(const Pose& pose_a, const Pose& pose_b, const std
 }
 std::vector<Index> Query::zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit)
 {
-  const auto number = kernel::parse_number(limit);
-  if (!number) refuse_limit(limit);
-  return distance_of(data()).zone(pose_a, pose_b, data().question, *number);
+  const kernel::Rational exact = limit_of(limit);
+  return distance_of(data()).zone(pose_a, pose_b, data().question, exact);
 }
 
 }  // namespace tetracone

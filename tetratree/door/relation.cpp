@@ -31,13 +31,7 @@ std::array<std::string, 3> texts(const std::array<kernel::Wide_fraction, 3>& x)
 std::array<kernel::Rational, 3> direction_of(const std::array<std::string, 3>& texts)
 {
   std::array<kernel::Rational, 3> direction;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto number = kernel::parse_number(texts[k]);
-    if (!number)
-      throw Error("exits: '" + texts[k].substr(0, 40) +
-                  "' in the direction; expected a finite decimal number or a fraction n/d");
-    direction[k] = *number;
-  }
+  for (std::size_t k = 0; k < 3; ++k) direction[k] = kernel::required_number(texts[k], "exits: ", " in the direction");
   if (direction == std::array<kernel::Rational, 3>{0, 0, 0})
     throw Error("exits: the direction is 0; expected a vector of some length");
   return direction;
