@@ -20,7 +20,6 @@ kernel::Rigid_pose rigid_pose(const std::array<Rational, 7>& numbers)
 }
 
 Rational number(const std::string& text) { return kernel::required_number(text, "motion: "); }
-Rational number(double x) { return std::isfinite(x) ? Rational(x) : number(kernel::shortest(x)); }
 
 Motion rigid_motion(const std::array<Rational, 7>& from, const std::array<Rational, 7>& to)
 {
@@ -67,8 +66,10 @@ Motion Motion::rigid(const std::array<double, 7>& from, const std::array<double,
 {
   std::array<std::array<Rational, 7>, 2> exact;
   for (std::size_t k = 0; k < 7; ++k) {
-    exact[0][k] = number(from[k]);
-    exact[1][k] = number(to[k]);
+    for (const double x : {from[k], to[k]})
+      if (!std::isfinite(x)) number(kernel::shortest(x));  // refuses it
+    exact[0][k] = from[k];
+    exact[1][k] = to[k];
   }
   return rigid_motion(exact[0], exact[1]);
 }
