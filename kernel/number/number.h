@@ -154,8 +154,8 @@ inline std::optional<Rational> parse_number(std::string_view text)
   return number && std::isfinite(nearest_double(*number)) ? number : std::nullopt;
 }
 
-/// Returns `parse_number`. Throws Error for a text that is none: its line is `before`, the text in quotes, `after`, and
-/// what was expected.
+/// Returns what `parse_number` returns of a text. Throws Error where that is nothing. Its line is `before`, the text in
+/// quotes, `after`, and what was expected.
 inline Rational required_number(const std::string& text, const std::string& before, const std::string& after = "")
 {
   if (const auto number = parse_number(text)) return *number;
