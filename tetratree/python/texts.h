@@ -24,7 +24,7 @@ std::string type_of(const pybind11::handle& value);
 /// Returns the decimal digits of an integer of any length. Throws Python's error for anything else.
 std::string digits_of(const pybind11::handle& integer);
 
-/// A word in an array of numpy's fixed-length texts, of the type "U" and this length. Requires ASCII, and no longer words.
+/// A word in an array of numpy's fixed-length texts, of the type "U" and this length. Requires ASCII that is no longer.
 template <std::size_t length>
 struct Word {
   std::array<char32_t, length> letters{};
