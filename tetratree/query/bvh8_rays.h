@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_QUERY_BVH8_RAYS_H
 
 #include "tetracone/kernel/bound/obb8_ray.h"
+#include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/predicate/ray_face.h"
 #include "tetracone/kernel/predicate/ray_triangle.h"
 #include "tetracone/tetratree/fast/bvh8.h"
