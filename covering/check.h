@@ -86,14 +86,8 @@ enum class Orientation { outward, inward, flat, mixed, open };
 /// Returns the name of an orientation.
 constexpr std::string_view to_string(Orientation orientation)
 {
-  switch (orientation) {
-    case Orientation::outward: return "outward";
-    case Orientation::inward: return "inward";
-    case Orientation::flat: return "flat";
-    case Orientation::mixed: return "mixed";
-    case Orientation::open: return "open";
-  }
-  return "open";
+  constexpr std::array<std::string_view, 5> names = {"outward", "inward", "flat", "mixed", "open"};
+  return names[std::size_t(orientation)];
 }
 
 /// The properties of one connected shell.

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_COVERING_COVERING_H
 #define TETRACONE_COVERING_COVERING_H
 
+#include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/number/number.h"
@@ -199,13 +200,10 @@ class Covering {
     face_corner_begin_.reserve(polyhedron.face_count() + 1);
     face_corner_begin_.push_back(0);
     for (Index f = 0; f < polyhedron.face_count(); ++f) {
-      for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-        const Loop loop = polyhedron.loop(f, l);
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-          from_.push_back(loop[k]);
-          to_.push_back(loop[k + 1 == loop.size() ? 0 : k + 1]);
-        }
-      }
+      for_each_directed_edge(polyhedron, f, [&](Index from, Index to) {
+        from_.push_back(from);
+        to_.push_back(to);
+      });
       face_corner_begin_.push_back(Index(from_.size()));
     }
   }
@@ -215,11 +213,7 @@ class Covering {
   {
     const auto for_edges = [&](const auto& what) {
       for (Index f = 0; f < polyhedron.face_count(); ++f)
-        for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-          const Loop loop = polyhedron.loop(f, l);
-          for (std::size_t k = 0; k < loop.size(); ++k)
-            what(undirected(loop[k], loop[k + 1 == loop.size() ? 0 : k + 1]));
-        }
+        for_each_directed_edge(polyhedron, f, [&](Index from, Index to) { what(undirected(from, to)); });
     };
     std::vector<std::size_t> end(polyhedron.vertices.size() + 1, 0);
     for_edges([&](const std::array<Index, 2>& edge) { ++end[edge[0] + 1]; });

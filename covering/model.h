@@ -37,6 +37,8 @@ class Model {
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const Covering& covering() const { return covering_; }
+  /// Returns itself, as `Placed_model::model` returns its model.
+  const Model& model() const { return *this; }
   std::size_t face_count() const { return face_count_; }
 
   /// Returns the lattice of directions about O, the origin of the covering and of all tetra-cones.
@@ -163,48 +165,31 @@ class Placed_model {
   std::uint64_t now_ = 1;
 };
 
-/// A face of a placed model, as `kernel::segment_face` wants it.
-template <class K>
-class Placed_face {
+/// A face of a body, which is a model where it stands or a placed model, as `kernel::segment_face` wants it.
+template <class Body>
+class Body_face {
  public:
-  using Point = kernel::Point<K>;
-
-  Placed_face(Placed_model<K>& body, Index face) : body_(body), face_(face), basis_(covering().plane_basis(face)) {}
+  Body_face(Body& body, Index face) : body_(body), face_(face), basis_(covering().plane_basis(face)) {}
 
   std::size_t edge_count() const { return covering().from(face_).size(); }
-  const Point& from(std::size_t k) const { return body_.point(covering().from(face_)[k]); }
-  const Point& to(std::size_t k) const { return body_.point(covering().to(face_)[k]); }
-  const Point& origin() const { return from(0); }
+  decltype(auto) from(std::size_t k) const { return body_.point(covering().from(face_)[k]); }
+  decltype(auto) to(std::size_t k) const { return body_.point(covering().to(face_)[k]); }
+  decltype(auto) origin() const { return from(0); }
   bool is_degenerate() const { return !basis_; }
-  const Point& plane_basis(int k) const { return body_.point((*basis_)[k]); }
+  decltype(auto) plane_basis(int k) const { return body_.point((*basis_)[k]); }
 
  private:
   const Covering& covering() const { return body_.model().covering(); }
 
-  Placed_model<K>& body_;
+  Body& body_;
   Index face_;
   std::optional<std::array<Index, 3>> basis_;
 };
 
-/// A face of a model where it stands, as `kernel::segment_face` wants it.
 template <class K>
-class Model_face {
- public:
-  using Point = typename Model<K>::Point;
-
-  Model_face(const Model<K>& model, Index face) : model_(model), face_(face) {}
-
-  std::size_t edge_count() const { return model_.covering().from(face_).size(); }
-  Point from(std::size_t k) const { return model_.point(model_.covering().from(face_)[k]); }
-  Point to(std::size_t k) const { return model_.point(model_.covering().to(face_)[k]); }
-  Point origin() const { return from(0); }
-  bool is_degenerate() const { return !model_.covering().plane_basis(face_); }
-  Point plane_basis(int k) const { return model_.point((*model_.covering().plane_basis(face_))[k]); }
-
- private:
-  const Model<K>& model_;
-  Index face_;
-};
+using Placed_face = Body_face<Placed_model<K>>;
+template <class K>
+using Model_face = Body_face<const Model<K>>;
 
 /// Returns how the closed segment pq and face `f` of a placed model meet.
 template <class K>

@@ -6,10 +6,7 @@
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/covering/union_find.h"
 
-#include <CGAL/enum.h>
-
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace tetracone::covering {
@@ -64,13 +61,7 @@ inline std::vector<bool> turns_across_edges(const Polyhedron& polyhedron)
 /// Appends face `f` of `from` to `to`, with its loops turned round when `turn`.
 inline void append_face(Polyhedron& to, const Polyhedron& from, Index f, bool turn)
 {
-  std::vector<std::vector<Index>> loops;
-  for (std::size_t k = 0; k < from.loop_count(f); ++k) {
-    const Loop loop = from.loop(f, k);
-    loops.emplace_back(loop.begin(), loop.end());
-    if (turn) std::reverse(loops.back().begin(), loops.back().end());
-  }
-  to.add_face(loops);
+  to.add_face(face_loops(from, f, turn));
 }
 
 /// Returns a polyhedron of the faces `faces`, each turned round where `turned` says so. It has only the vertices that
@@ -88,13 +79,9 @@ inline Polyhedron part(const Polyhedron& polyhedron, const std::vector<Index>& f
   Polyhedron result;
   for (const Index v : used) result.vertices.push_back(polyhedron.vertices[v]);
   for (const Index f : faces) {
-    std::vector<std::vector<Index>> loops;
-    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-      loops.emplace_back();
-      for (const Index v : polyhedron.loop(f, k))
-        loops.back().push_back(static_cast<Index>(std::ranges::lower_bound(used, v) - used.begin()));
-      if (turned[f]) std::reverse(loops.back().begin(), loops.back().end());
-    }
+    auto loops = face_loops(polyhedron, f, turned[f]);
+    for (auto& loop : loops)
+      for (Index& v : loop) v = static_cast<Index>(std::ranges::lower_bound(used, v) - used.begin());
     result.add_face(loops);
   }
   return result;

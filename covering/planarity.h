@@ -2,15 +2,14 @@
 #define TETRACONE_COVERING_PLANARITY_H
 
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/number.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace tetracone::covering {
@@ -80,22 +79,13 @@ struct Off_plane {
 /// `Planarity::off_plane`.
 inline Off_plane deviation(const Polyhedron& polyhedron, Index f)
 {
-  using kernel::Rational;
-  using Vector = std::array<Rational, 3>;
+  using kernel::cross, kernel::dot, kernel::Rational;
+  using Vector = kernel::Rational_point;
   const std::vector<Index> all = corners(polyhedron, f);
-  const auto from_first = [&](Index v) {
-    Vector result;
-    for (int k = 0; k < 3; ++k)
-      result[k] = Rational(polyhedron.vertices[v][k]) - Rational(polyhedron.vertices[all[0]][k]);
-    return result;
-  };
-  const auto dot = [](const Vector& a, const Vector& b) { return Rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); };
-  const auto cross = [](const Vector& a, const Vector& b) {
-    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  };
+  const auto exact = [&](Index v) { return kernel::exact_point(polyhedron.vertices[v]); };
   std::vector<Vector> offset;
   offset.reserve(all.size());
-  for (const Index v : all) offset.push_back(from_first(v));
+  for (const Index v : all) offset.push_back(kernel::difference(exact(v), exact(all[0])));
 
   Vector q{}, normal{};
   Rational largest = 0;

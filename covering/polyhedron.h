@@ -12,7 +12,6 @@
 #include <limits>
 #include <numeric>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace tetracone::covering {
@@ -141,6 +140,18 @@ class Polyhedron {
   std::vector<Index> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
 };
 
+/// Returns the loops of face `f`, each turned round when `turned`.
+inline std::vector<std::vector<Index>> face_loops(const Polyhedron& polyhedron, Index f, bool turned = false)
+{
+  std::vector<std::vector<Index>> loops;
+  for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+    const Loop loop = polyhedron.loop(f, k);
+    loops.emplace_back(loop.begin(), loop.end());
+    if (turned) std::ranges::reverse(loops.back());
+  }
+  return loops;
+}
+
 /// Appends the vertices and the faces of `what` to `to`, with every loop turned round when `turned`. Requires two
 /// different polyhedra.
 inline void append(Polyhedron& to, const Polyhedron& what, bool turned = false)
@@ -149,13 +160,9 @@ inline void append(Polyhedron& to, const Polyhedron& what, bool turned = false)
   const Index first = static_cast<Index>(to.vertices.size());
   to.vertices.insert(to.vertices.end(), what.vertices.begin(), what.vertices.end());
   for (Index f = 0; f < what.face_count(); ++f) {
-    std::vector<std::vector<Index>> loops;
-    for (std::size_t k = 0; k < what.loop_count(f); ++k) {
-      const Loop loop = what.loop(f, k);
-      loops.emplace_back(loop.begin(), loop.end());
-      for (Index& v : loops.back()) v += first;
-      if (turned) std::reverse(loops.back().begin(), loops.back().end());
-    }
+    auto loops = face_loops(what, f, turned);
+    for (auto& loop : loops)
+      for (Index& v : loop) v += first;
     to.add_face(loops);
   }
 }
@@ -190,12 +197,8 @@ inline Polyhedron each_triangle_a_face(const Polyhedron& polyhedron, std::span<c
     has_triangles[t.face] = true;
     result.add_polygon(t.corner);
   }
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    if (has_triangles[f]) continue;
-    std::vector<Loop> loops;
-    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) loops.push_back(polyhedron.loop(f, k));
-    result.add_face(loops);
-  }
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    if (!has_triangles[f]) result.add_face(face_loops(polyhedron, f));
   return result;
 }
 

@@ -6,14 +6,10 @@
 #include "tetracone/covering/orient.h"
 #include "tetracone/covering/projection.h"
 
-#include <CGAL/enum.h>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,23 +62,17 @@ inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& cou
 {
   Polyhedron result;
   result.vertices = polyhedron.vertices;
-  std::vector<std::vector<Index>> loops;
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    loops.clear();
-    int axis = 0;
-    CGAL::Sign outer = CGAL::ZERO;
-    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-      const Loop loop = polyhedron.loop(f, k);
-      loops.emplace_back(loop.begin(), loop.end());
-      if (polyhedron.loop_count(f) == 1) continue;
-      if (k == 0) axis = projection_axis(polyhedron, loop);
-      const auto sign = CGAL::Sign(sgn(projected_area(polyhedron, loop, axis)));
-      if (k == 0)
-        outer = sign;
-      else if (sign != CGAL::ZERO && sign == outer) {
-        std::reverse(loops.back().begin(), loops.back().end());
-        ++count;
-      }
+    auto loops = face_loops(polyhedron, f);
+    if (loops.size() > 1) {
+      const int axis = projection_axis(polyhedron, loops[0]);
+      const auto sign = [&](const Loop& loop) { return sgn(projected_area(polyhedron, loop, axis)); };
+      const int outer = sign(loops[0]);
+      for (std::size_t k = 1; k < loops.size(); ++k)
+        if (sign(loops[k]) * outer > 0) {
+          std::ranges::reverse(loops[k]);
+          ++count;
+        }
     }
     result.add_face(loops);
   }

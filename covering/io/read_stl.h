@@ -4,7 +4,6 @@
 #include "tetracone/covering/io/read_scan.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>

@@ -5,7 +5,6 @@
 #include "tetracone/kernel/number/number.h"
 
 #include <cassert>
-#include <cstddef>
 #include <string>
 
 namespace tetracone::covering {

@@ -81,8 +81,7 @@ namespace tetracone::kernel {
 /// Makes up to `most_gap_tests` tests together, so that no test waits for the data of another.
 inline void find_gaps(Gap_test* tests, std::size_t count)
 {
-  using Function = void(Gap_test*, std::size_t);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(find_gaps_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(find_gaps_simd);
   fastest(tests, count);
 }
 

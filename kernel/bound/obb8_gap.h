@@ -155,8 +155,7 @@ namespace tetracone::kernel {
 inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float apex,
                            Certified_gaps& gaps)
 {
-  using Function = void(const Obb8&, const Box_map&, const Obb8&, int, float, Certified_gaps&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(certified_gaps_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(certified_gaps_simd);
   fastest(boxes, map, from, lane, apex, gaps);
 }
 
@@ -164,8 +163,7 @@ inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& fr
 /// temporary of this size.)
 inline void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
 {
-  using Function = void(const Carrier&, const Obb8&, int, Carried_box&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(carry_now_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(carry_now_simd);
   fastest(carrier, from, lane, box);
 }
 
@@ -174,8 +172,7 @@ inline void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carrie
 inline Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
                                     const Going_box& going, const Carrier& carrier)
 {
-  using Function = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Going_box&, const Carrier&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(least_gap_after_simd);
   return fastest(gaps, of_lanes, box, going, carrier);
 }
 

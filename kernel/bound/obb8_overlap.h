@@ -15,8 +15,7 @@ namespace tetracone::kernel {
 /// single box's edges are nearly orthogonal. Lanes that hold nothing may be among the answers of both functions.
 inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool similarity)
 {
-  using Function = unsigned(const Obb8&, const Single_box&, bool);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(overlapping_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(overlapping_simd);
   return fastest(boxes, box, similarity);
 }
 
@@ -24,8 +23,7 @@ inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool simil
 /// of `boxes`.
 inline unsigned overlapping(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
 {
-  using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(overlapping_mapped_simd);
   return fastest(boxes, map, from, lane);
 }
 

@@ -33,8 +33,7 @@ namespace tetracone::kernel {
 /// least |a_i . (p - c)| less that. The sum of these squares is at most 1 + 3 d times the squared distance.
 inline void point_squares(const Obb8& boxes, const std::array<double, 3>& point, Lane_squares& squares)
 {
-  using Function = void(const Obb8&, const std::array<double, 3>&, float*);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(point_squares_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(point_squares_simd);
   fastest(boxes, point, squares.data());
 }
 

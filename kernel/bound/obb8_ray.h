@@ -88,8 +88,7 @@ using Lane_entries = std::array<float, lanes>;
 /// all is below `slack` (verify/proofs/obb8_ray_proofs.h).
 inline unsigned ray_lanes(const Obb8& boxes, const Local_ray& ray, double limit, Lane_entries& nearest)
 {
-  using Function = unsigned(const Obb8&, const Local_ray&, double, float*);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(ray_lanes_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(ray_lanes_simd);
   return fastest(boxes, ray, limit, nearest.data());
 }
 

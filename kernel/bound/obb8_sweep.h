@@ -138,8 +138,7 @@ namespace tetracone::kernel {
 /// Makes up to `most_sweep_tests` tests together, so that no test waits for the data of another.
 inline void find_near(Sweep_test* tests, std::size_t count)
 {
-  using Function = void(Sweep_test*, std::size_t);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(find_near_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(find_near_simd);
   fastest(tests, count);
 }
 

@@ -133,8 +133,7 @@ namespace tetracone::kernel {
 /// `Course::least_step`. Returns 0 below `least_step` and above `most_steps`. The number is no bound of anything.
 inline double steps_along(const Course& course, const Placement& before, const Placement& after)
 {
-  using Function = double(const Course&, const Placement&, const Placement&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(steps_along_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(steps_along_simd);
   return fastest(course, before, after);
 }
 
@@ -148,16 +147,14 @@ inline double steps_along(const Course& course, const Placement& before, const P
 inline double stray_bound(const Course& course, double steps, const Placement& before, const Placement& after,
                           const Box_corners& box)
 {
-  using Function = double(const Course&, double, const Placement&, const Placement&, const Box_corners&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(stray_bound_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(stray_bound_simd);
   return fastest(course, steps, before, after, box);
 }
 
 /// Returns an upper bound of the distance by which a step of the course moves any point of the box.
 inline double pace_bound(const Course& course, const Box_corners& box)
 {
-  using Function = double(const Course&, const Box_corners&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(pace_bound_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(pace_bound_simd);
   return fastest(course, box);
 }
 

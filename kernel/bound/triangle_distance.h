@@ -108,8 +108,7 @@ namespace triangle_distance {
 /// Returns the nearest points of the edges.
 inline Nearest nearest_on_edges(const Edged_triangle& a, const Edged_triangle& b)
 {
-  using Function = void(const Edged_triangle&, const Edged_triangle&, Near_edges&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(nearest_on_edges_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(nearest_on_edges_simd);
   Near_edges near;
   fastest(a, b, near);
   int i = 0;

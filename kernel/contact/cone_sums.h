@@ -113,8 +113,8 @@ class Model_cones {
   void add(int weight, const Vertex& a, const Vertex& b, const Vertex& c)
   {
     const Point p = point(a), q = point(b), r = point(c);
-    const Point qr = detail::product(q, r), rp = detail::product(r, p), pq = detail::product(p, q);
-    const Number w = weight, volume = w * detail::inner(p, qr);
+    const Point qr = cross(q, r), rp = cross(r, p), pq = cross(p, q);
+    const Number w = weight, volume = w * dot(p, qr);
     volume_ = volume_ + volume;
     for (int i = 0; i < 3; ++i) {
       const Number normal = w * (qr[i] + rp[i] + pq[i]), sum = p[i] + q[i] + r[i];

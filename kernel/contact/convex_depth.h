@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -111,12 +110,11 @@ class Convex_depth {
       body.corners.push_back(errors_.rounded(about));
     }
     const auto step = [&](std::uint32_t from, std::uint32_t to) {
-      const auto edge = detail::step(body.corners[from], body.corners[to]);
+      const auto edge = difference(body.corners[to], body.corners[from]);
       errors_.add_edge(edge);
       return edge;
     };
-    for (const auto& t : body.solid->triangles)
-      body.normals.push_back(detail::product(step(t[0], t[1]), step(t[0], t[2])));
+    for (const auto& t : body.solid->triangles) body.normals.push_back(cross(step(t[0], t[1]), step(t[0], t[2])));
     for (const Convex_solid::Edge& e : body.solid->edges) body.edges.push_back(step(e.corners[0], e.corners[1]));
   }
 
@@ -137,7 +135,7 @@ class Convex_depth {
   static std::vector<double> heights(const Number_point<double>& n, const Body& body)
   {
     std::vector<double> heights;
-    for (const auto& x : body.corners) heights.push_back(detail::inner(n, x));
+    for (const auto& x : body.corners) heights.push_back(dot(n, x));
     return heights;
   }
 
@@ -168,7 +166,7 @@ class Convex_depth {
     const Body &a = body_[0], &b = body_[1];
     const double off = is_bounded_ ? errors_.off_turn() : HUGE_VAL;
     const auto side = [off](const Number_point<double>& edge, const Number_point<double>& normal) {
-      const double at = detail::inner(edge, normal);
+      const double at = dot(edge, normal);
       return at > off ? 1 : at < -off ? -1 : 0;
     };
     std::vector<int> sides(b.normals.size());
@@ -179,8 +177,8 @@ class Convex_depth {
         const auto& [other_ends, at_other] = b.solid->edges[j];
         if (sides[at_other[0]] * sides[at_other[1]] > 0) continue;
         if (side(b.edges[j], a.normals[at_edge[0]]) * side(b.edges[j], a.normals[at_edge[1]]) > 0) continue;
-        const auto n = detail::product(a.edges[i], b.edges[j]);
-        const double height = detail::inner(n, b.corners[other_ends[0]]) - detail::inner(n, a.corners[ends[0]]);
+        const auto n = cross(a.edges[i], b.edges[j]);
+        const double height = dot(n, b.corners[other_ends[0]]) - dot(n, a.corners[ends[0]]);
         for (const int sign : {1, -1}) add(all, {false, i, j, sign, 0, 0}, distance(sign * height, n));
       }
     }
@@ -227,8 +225,8 @@ class Convex_depth {
     std::array<std::vector<double>, 2> seen;
     {
       const CGAL::Protect_FPU_rounding<true> upward;
-      Number_point<double> about = c.is_normal ? body_[c.first].normals[c.second]
-                                               : detail::product(body_[0].edges[c.first], body_[1].edges[c.second]);
+      Number_point<double> about =
+          c.is_normal ? body_[c.first].normals[c.second] : cross(body_[0].edges[c.first], body_[1].edges[c.second]);
       for (double& x : about) x *= c.sign;
       for (std::size_t body = 0; body < 2; ++body) seen[body] = heights(about, body_[body]);
       if (distance(std::ranges::max(seen[1]) - std::ranges::min(seen[0]), about).inf() > most_) return;

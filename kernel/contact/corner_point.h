@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_CONTACT_CORNER_POINT_H
 #define TETRACONE_KERNEL_CONTACT_CORNER_POINT_H
 
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
 
@@ -26,21 +27,6 @@ Number_point<N> image(const Vertex& x, const std::array<N, 12>& m)
 namespace detail {
 
 template <class N>
-Number_point<N> step(const Number_point<N>& from, const Number_point<N>& to)
-{
-  return {N(to[0] - from[0]), N(to[1] - from[1]), N(to[2] - from[2])};
-}
-template <class N>
-Number_point<N> product(const Number_point<N>& a, const Number_point<N>& b)
-{
-  return {N(a[1] * b[2] - a[2] * b[1]), N(a[2] * b[0] - a[0] * b[2]), N(a[0] * b[1] - a[1] * b[0])};
-}
-template <class N>
-N inner(const Number_point<N>& a, const Number_point<N>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class N>
 Number_point<N> along(const Number_point<N>& from, const Number_point<N>& step, const N& share)
 {
   return {N(from[0] + share * step[0]), N(from[1] + share * step[1]), N(from[2] + share * step[2])};
@@ -52,8 +38,9 @@ Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int 
                                    const std::array<Number_point<N>, 3>& q)
 {
   const Number_point<N>& from = p[edge];
-  const auto whole = step(from, p[(edge + 1) % 3]), normal = product(step(q[0], q[1]), step(q[0], q[2]));
-  return along(from, whole, N(inner(normal, step(from, q[0])) / inner(normal, whole)));
+  const auto whole = difference(p[(edge + 1) % 3], from),
+             normal = cross(difference(q[1], q[0]), difference(q[2], q[0]));
+  return along(from, whole, N(dot(normal, difference(q[0], from)) / dot(normal, whole)));
 }
 
 /// Returns the point where two edges of one plane cross. Requires edges that are not parallel.
@@ -62,9 +49,9 @@ Number_point<N> edge_through_edge(const std::array<Number_point<N>, 3>& p, int e
                                   const std::array<Number_point<N>, 3>& q, int edge_q)
 {
   const Number_point<N>&from = p[edge_p], &other = q[edge_q];
-  const auto whole = step(from, p[(edge_p + 1) % 3]), beside = step(other, q[(edge_q + 1) % 3]);
-  const auto normal = product(whole, beside);
-  return along(from, whole, N(inner(product(step(from, other), beside), normal) / inner(normal, normal)));
+  const auto whole = difference(p[(edge_p + 1) % 3], from), beside = difference(q[(edge_q + 1) % 3], other);
+  const auto normal = cross(whole, beside);
+  return along(from, whole, N(dot(cross(difference(other, from), beside), normal) / dot(normal, normal)));
 }
 
 }  // namespace detail

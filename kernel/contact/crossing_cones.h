@@ -31,7 +31,7 @@ struct Cone_triangle {
   /// Returns a normal towards the outside.
   Number_point<N> normal() const
   {
-    const Number_point<N> n = detail::product(detail::step(corner[0], corner[1]), detail::step(corner[0], corner[2]));
+    const Number_point<N> n = cross(difference(corner[1], corner[0]), difference(corner[2], corner[0]));
     return outward > 0 ? n : Number_point<N>{N(-n[0]), N(-n[1]), N(-n[2])};
   }
 };
@@ -48,9 +48,9 @@ struct Edge_crossing {
   /// Requires an edge whose ends are on different sides of the triangle's plane.
   Edge_crossing(const Number_point<N>& from, const Number_point<N>& to, const Cone_triangle<N>& triangle)
   {
-    const Number_point<N> n = triangle.normal(), whole = detail::step(from, to);
-    part = detail::inner(n, detail::step(from, triangle.corner[0]));
-    bottom = detail::inner(n, whole);
+    const Number_point<N> n = triangle.normal(), whole = difference(to, from);
+    part = dot(n, difference(triangle.corner[0], from));
+    bottom = dot(n, whole);
     enters = certain_sign(bottom) < 0;
     if (enters) {
       bottom = -bottom;
@@ -191,10 +191,9 @@ class Crossing_cones {
     // As seen from outside f, the other solid is on the left of the product of both outward normals.
     Number_point<N> along;
     for (int k = 0; k < 3; ++k) along[k] = y.top[k] * x.bottom - x.top[k] * y.bottom;
-    const int way = certain_sign(detail::inner(detail::product(f.normal(), g.normal()), along));
-    const Number_point<N> xy = detail::product(x.top, y.top);
-    const N of_f = detail::inner(f.corner[0], xy) * way, of_g = detail::inner(g.corner[0], xy) * way,
-            bottom = x.bottom * y.bottom;
+    const int way = certain_sign(dot(cross(f.normal(), g.normal()), along));
+    const Number_point<N> xy = cross(x.top, y.top);
+    const N of_f = dot(f.corner[0], xy) * way, of_g = dot(g.corner[0], xy) * way, bottom = x.bottom * y.bottom;
     Number_point<N> moment;
     for (int k = 0; k < 3; ++k) {
       const N ends = x.top[k] * y.bottom + y.top[k] * x.bottom;
@@ -208,7 +207,7 @@ class Crossing_cones {
  private:
   static N volume_of(const Triangle& face)
   {
-    return detail::inner(face.corner[0], detail::product(face.corner[1], face.corner[2])) * face.outward;
+    return dot(face.corner[0], cross(face.corner[1], face.corner[2])) * face.outward;
   }
 };
 

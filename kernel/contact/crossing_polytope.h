@@ -4,6 +4,7 @@
 #include "tetracone/kernel/contact/shift_range.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <array>
 #include <cmath>
@@ -121,10 +122,7 @@ class Crossing_polytope {
     Shift_axis axis;
     int sign;
 
-    double middle(const Translation_box& box) const
-    {
-      return normal[0] * box.centre[0] + normal[1] * box.centre[1] + normal[2] * box.centre[2];
-    }
+    double middle(const Translation_box& box) const { return dot(normal, box.centre); }
     double reach(const Translation_box& box) const
     {
       return std::abs(normal[0]) * box.half[0] + std::abs(normal[1]) * box.half[1] + std::abs(normal[2]) * box.half[2];

@@ -2,10 +2,11 @@
 #define TETRACONE_KERNEL_CONTACT_RATIONAL_FACE_H
 
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/number/vertex.h"
 #include "tetracone/kernel/predicate/face_contact.h"
 
 #include <array>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -13,19 +14,9 @@ namespace tetracone::kernel {
 
 using Rational_point = std::array<Rational, 3>;  ///< also a vector
 
-inline Rational_point difference(const Rational_point& a, const Rational_point& b)
-{
-  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
-}
-inline Rational dot(const Rational_point& a, const Rational_point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-inline Rational_point cross(const Rational_point& a, const Rational_point& b)
-{
-  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
-          Rational(a[0] * b[1] - a[1] * b[0])};
-}
+/// Returns a vertex in rationals.
+inline Rational_point exact_point(const Vertex& v) { return {v[0], v[1], v[2]}; }
+
 inline bool is_zero(const Rational_point& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 /// Returns a + share (b - a).
 inline Rational_point between(const Rational_point& a, const Rational_point& b, const Rational& share)

@@ -45,8 +45,8 @@ struct Rounded_piece : Convex_piece<double> {
   {
     count = piece.count;
     for (int k = 0; k < count; ++k) corner[k] = errors.rounded(piece.corner[k]);
-    for (int k = 0; k < count; ++k) errors.add_edge(detail::step(corner[k], corner[(k + 1) % count]));
-    errors.add_edge(detail::step(corner[0], corner[2]));
+    for (int k = 0; k < count; ++k) errors.add_edge(difference(corner[(k + 1) % count], corner[k]));
+    errors.add_edge(difference(corner[2], corner[0]));
   }
 };
 
@@ -87,12 +87,12 @@ bool may_be_zero(const Number_point<N>& x)
 template <class N>
 Number_point<N> edge(const Convex_piece<N>& piece, int k)
 {
-  return step(piece.corner[k], piece.corner[(k + 1) % piece.count]);
+  return difference(piece.corner[(k + 1) % piece.count], piece.corner[k]);
 }
 template <class N>
 Number_point<N> normal(const Convex_piece<N>& piece)
 {
-  return product(edge(piece, 0), step(piece.corner[0], piece.corner[2]));
+  return cross(edge(piece, 0), difference(piece.corner[2], piece.corner[0]));
 }
 /// Returns a direction across z that is perpendicular to the edge.
 template <class N>
@@ -112,7 +112,7 @@ Number_point<N> direction(const Shift_axis& axis, const Convex_piece<N>& a, cons
     case Shift_axis::Kind::normal_of_b: return normal(b);
     case Shift_axis::Kind::edges: break;
   }
-  return product(edge(a, axis.edge_a), edge(b, axis.edge_b));
+  return cross(edge(a, axis.edge_a), edge(b, axis.edge_b));
 }
 
 /// The least and the largest product of a direction with the corners of a piece.
@@ -121,10 +121,10 @@ struct Extent {
   N low, high;
 
   Extent(const Number_point<N>& direction, const Convex_piece<N>& piece)
-      : low(inner(direction, piece.corner[0])), high(low)
+      : low(dot(direction, piece.corner[0])), high(low)
   {
     for (int k = 1; k < piece.count; ++k) {
-      const N at = inner(direction, piece.corner[k]);
+      const N at = dot(direction, piece.corner[k]);
       low = least(low, at);
       high = largest(high, at);
     }
@@ -280,9 +280,9 @@ inline Rational exact_end(bool is_largest, const Number_point<Interval>& directi
   const Extent<Interval> extent(direction, piece);
   std::optional<Rational> end;
   for (int k = 0; k < piece.count; ++k) {
-    const Interval about = inner(direction, piece.corner[k]);
+    const Interval about = dot(direction, piece.corner[k]);
     if (is_largest ? about.sup() < extent.high.inf() : about.inf() > extent.low.sup()) continue;
-    const Rational at = inner(exact_direction, exact.corner[k]);
+    const Rational at = dot(exact_direction, exact.corner[k]);
     if (!end || (is_largest ? at > *end : at < *end)) end = at;
   }
   return *end;

@@ -10,8 +10,6 @@
 #include "tetracone/kernel/number/vertex.h"
 
 #include <array>
-#include <cassert>
-#include <climits>
 #include <cstddef>
 #include <optional>
 #include <utility>

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 
 namespace tetracone::kernel {
 
@@ -83,7 +82,7 @@ class Motion_span {
   struct Maps {
     std::array<std::array<Vertex, 3>, 2> row;
     Vertex offset;
-    double weight;
+    double weight = 1;
   };
 
   /// The span that is all of the time.
@@ -140,7 +139,6 @@ class Motion_span {
       const Pose &of_a = a[end], &of_b = b[end];
       if (of_a.is_rational() || of_b.is_rational()) return std::nullopt;
       Maps& maps = span.coefficient_[end];
-      maps.weight = 1;
       for (int j = 0; j < 3; ++j) {
         // The error is 24 u^2 of the terms, and the rounding of the sum.
         Double_double offset = Double_double::sum(of_b[4 * j + 3], -of_a[4 * j + 3]);
@@ -248,15 +246,7 @@ class Motion_span {
                  last = share * (2 * share - 1);
     const auto mean = [&](double x, double y, double z) { return first * x + middle * y + last * z; };
     const auto& [start, half, end] = landmark_;
-    Maps maps;
-    for (int i = 0; i < 3; ++i) {
-      maps.offset[i] = mean(start.offset[i], half.offset[i], end.offset[i]);
-      for (int body = 0; body < 2; ++body)
-        for (int j = 0; j < 3; ++j)
-          maps.row[body][i][j] = mean(start.row[body][i][j], half.row[body][i][j], end.row[body][i][j]);
-    }
-    maps.weight = 1;
-    return maps;
+    return each_entry(mean, start, half, end);
   }
 
   /// Returns approximately the relative motion, in the span, of parts of a body that are 1 apart in its local units.
@@ -294,6 +284,27 @@ class Motion_span {
   {
     const Vertex from = direction(maps, 0, a), to = direction(maps, 1, b);
     return {maps.offset[0] + (to[0] - from[0]), maps.offset[1] + (to[1] - from[1]), maps.offset[2] + (to[2] - from[2])};
+  }
+
+  /// Returns the maps of what(the entries of `given`), with a weight of 1.
+  template <class What, class... Given>
+  static Maps each_entry(const What& what, const Given&... given)
+  {
+    Maps maps;
+    for (int i = 0; i < 3; ++i) {
+      maps.offset[i] = what(given.offset[i]...);
+      for (int body = 0; body < 2; ++body)
+        for (int k = 0; k < 3; ++k) maps.row[body][i][k] = what(given.row[body][i][k]...);
+    }
+    return maps;
+  }
+
+  /// Returns the maps divided by their weight, which stays.
+  static Maps over_weight(const Maps& maps)
+  {
+    Maps quotient = each_entry([&](double x) { return x / maps.weight; }, maps);
+    quotient.weight = maps.weight;
+    return quotient;
   }
 
  private:
@@ -361,13 +372,9 @@ class Motion_span {
 
   static Maps average(const Maps& x, const Maps& y)
   {
-    Maps z;
-    for (int i = 0; i < 3; ++i) {
-      z.offset[i] = 0.5 * (x.offset[i] + y.offset[i]);
-      for (int body = 0; body < 2; ++body)
-        for (int k = 0; k < 3; ++k) z.row[body][i][k] = 0.5 * (x.row[body][i][k] + y.row[body][i][k]);
-    }
-    z.weight = 0.5 * (x.weight + y.weight);
+    const auto mean = [](double a, double b) { return 0.5 * (a + b); };
+    Maps z = each_entry(mean, x, y);
+    z.weight = mean(x.weight, y.weight);
     return z;
   }
 
@@ -410,25 +417,12 @@ class Motion_span {
     }
   }
 
-  static Maps over_weight(Maps maps)
-  {
-    for (int i = 0; i < 3; ++i) {
-      maps.offset[i] /= maps.weight;
-      for (auto& row : maps.row)
-        for (double& x : row[i]) x /= maps.weight;
-    }
-    return maps;
-  }
-
   /// Returns the maps times a power of two, except their weight.
-  static Maps times(Maps maps, double factor)
+  static Maps times(const Maps& maps, double factor)
   {
-    for (int i = 0; i < 3; ++i) {
-      maps.offset[i] *= factor;
-      for (auto& row : maps.row)
-        for (double& x : row[i]) x *= factor;
-    }
-    return maps;
+    Maps product = each_entry([&](double x) { return x * factor; }, maps);
+    product.weight = maps.weight;
+    return product;
   }
 
   std::size_t size_ = 0;

@@ -6,7 +6,6 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -6,7 +6,6 @@
 #include "tetracone/kernel/number/floating_point.h"
 
 #include <cassert>
-#include <cstddef>
 #include <optional>
 #include <utility>
 

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_NUMBER_NUMBER_H
 #define TETRACONE_KERNEL_NUMBER_NUMBER_H
 
+#include "tetracone/kernel/number/error.h"
 #include "tetracone/kernel/number/vertex.h"
 
 #include <gmpxx.h>
@@ -151,6 +152,14 @@ inline std::optional<Rational> parse_number(std::string_view text)
   const auto decimal = parse_double(text);
   const auto number = decimal ? std::optional<Rational>(*decimal) : parse_fraction(text);
   return number && std::isfinite(nearest_double(*number)) ? number : std::nullopt;
+}
+
+/// Returns what `parse_number` returns of a text. Throws Error where that is nothing. Its line is `before`, the text in
+/// quotes, `after`, and what was expected.
+inline Rational required_number(const std::string& text, const std::string& before, const std::string& after = "")
+{
+  if (const auto number = parse_number(text)) return *number;
+  throw Error(before + "'" + text.substr(0, 40) + "'" + after + "; expected a finite decimal number or a fraction n/d");
 }
 
 /// Returns the shortest decimal that reads back as exactly `value`.

@@ -155,11 +155,8 @@ class Pose {
     if (largest <= magnitude_gate && std::abs(determinant) > bound)
       return determinant > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
 
-    const auto m = [this](int row, int column) { return exact(4 * row + column); };
-    const Rational exactly = m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) -
-                             m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +
-                             m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0));
-    return CGAL::Sign(sgn(exactly));
+    const auto row = [this](int i) { return std::array{exact(4 * i), exact(4 * i + 1), exact(4 * i + 2)}; };
+    return CGAL::Sign(sgn(kernel::determinant(row(1), row(2), row(0))));
   }
 
   /// Upper bound of the error of a determinant of entries, relative to its permanent (verify/proofs/adaptive_proofs.h).

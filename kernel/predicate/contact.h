@@ -1,7 +1,9 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_CONTACT_H
 #define TETRACONE_KERNEL_PREDICATE_CONTACT_H
 
+#include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -23,16 +25,9 @@ enum class Contact {
 /// Returns the name, in words joined by '-' or a blank.
 constexpr std::string_view to_string(Contact contact)
 {
-  switch (contact) {
-    case Contact::none: return "none";
-    case Contact::vertex_vertex: return "vertex-vertex";
-    case Contact::vertex_edge: return "vertex-edge";
-    case Contact::vertex_face: return "vertex-face";
-    case Contact::edge_edge: return "edge-edge";
-    case Contact::edge_face: return "edge-face";
-    case Contact::coplanar_overlap: return "coplanar overlap";
-  }
-  return "none";
+  constexpr std::array<std::string_view, 7> names = {"none",      "vertex-vertex", "vertex-edge",     "vertex-face",
+                                                     "edge-edge", "edge-face",     "coplanar overlap"};
+  return names[std::size_t(contact)];
 }
 
 /// An edge of one of two bodies A and B and a face of the other that share a point.

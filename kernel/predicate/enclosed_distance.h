@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 
 /// The distance of two features of triangles, enclosed in double-double. It is the answer of face_distance.h where the
 /// enclosures decide.

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_FACE_CONTACT_H
 #define TETRACONE_KERNEL_PREDICATE_FACE_CONTACT_H
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -16,12 +18,8 @@ enum class Piece : std::uint8_t {
 /// Returns the name in tables: "point", "segment", or "coplanar" for a polygon.
 constexpr std::string_view to_string(Piece piece)
 {
-  switch (piece) {
-    case Piece::point: return "point";
-    case Piece::segment: return "segment";
-    case Piece::polygon: break;
-  }
-  return "coplanar";
+  constexpr std::array<std::string_view, 3> names = {"point", "segment", "coplanar"};
+  return names[std::size_t(piece)];
 }
 
 /// The smallest part of a face that holds all of a piece: a vertex, one edge or several, or only the whole face.
@@ -31,13 +29,8 @@ enum class Feature : std::uint8_t { none, vertex, edge, interior };
 /// Returns the enumerator's own name.
 constexpr std::string_view to_string(Feature feature)
 {
-  switch (feature) {
-    case Feature::none: break;
-    case Feature::vertex: return "vertex";
-    case Feature::edge: return "edge";
-    case Feature::interior: return "interior";
-  }
-  return "none";
+  constexpr std::array<std::string_view, 4> names = {"none", "vertex", "edge", "interior"};
+  return names[std::size_t(feature)];
 }
 
 }  // namespace tetracone::kernel

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_PLANE_BASIS_H
 #define TETRACONE_KERNEL_PREDICATE_PLANE_BASIS_H
 
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/kernel/predicate/signs.h"
 
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <span>
 
 namespace tetracone::kernel {
 
@@ -40,10 +40,7 @@ std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, 
   }
   const auto base = difference(0, farthest);
   for (std::size_t k = 1; k < corner_count; ++k) {
-    const auto v = difference(0, k);
-    const double a =
-        length({base[1] * v[2] - base[2] * v[1], base[2] * v[0] - base[0] * v[2], base[0] * v[1] - base[1] * v[0]});
-    if (a > area) {
+    if (const double a = length(cross(base, difference(0, k))); a > area) {
       area = a;
       widest = k;
     }

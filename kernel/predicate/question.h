@@ -1,6 +1,8 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_QUESTION_H
 #define TETRACONE_KERNEL_PREDICATE_QUESTION_H
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -35,13 +37,8 @@ enum class Relation {
 /// Returns the enumerator's own name.
 constexpr std::string_view to_string(Relation relation)
 {
-  switch (relation) {
-    case Relation::apart: return "apart";
-    case Relation::surfaces: return "surfaces";
-    case Relation::a_in_b: return "a_in_b";
-    case Relation::b_in_a: return "b_in_a";
-  }
-  return "apart";
+  constexpr std::array<std::string_view, 4> names = {"apart", "surfaces", "a_in_b", "b_in_a"};
+  return names[std::size_t(relation)];
 }
 
 /// The eight relations of two placed solids A and B: exactly one holds. The interior of a solid is the set of points
@@ -60,17 +57,9 @@ enum class Solid_relation {
 /// Returns the enumerator's own name.
 constexpr std::string_view to_string(Solid_relation relation)
 {
-  switch (relation) {
-    case Solid_relation::disjoint: return "disjoint";
-    case Solid_relation::meet: return "meet";
-    case Solid_relation::overlap: return "overlap";
-    case Solid_relation::equal: return "equal";
-    case Solid_relation::inside: return "inside";
-    case Solid_relation::contains: return "contains";
-    case Solid_relation::covered_by: return "covered_by";
-    case Solid_relation::covers: return "covers";
-  }
-  return "disjoint";
+  constexpr std::array<std::string_view, 8> names = {"disjoint", "meet",     "overlap",    "equal",
+                                                     "inside",   "contains", "covered_by", "covers"};
+  return names[std::size_t(relation)];
 }
 
 /// The relation of two placed solids, and the dimension of the set that their surfaces share.

@@ -3,7 +3,6 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/products.h"
-#include "tetracone/kernel/number/vertex.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 

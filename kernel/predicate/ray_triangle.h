@@ -6,7 +6,6 @@
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>

@@ -8,7 +8,6 @@
 #include "tetracone/kernel/predicate/triangle_contact.h"
 #include "tetracone/kernel/simd/simd.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -62,8 +61,7 @@ namespace tetracone::kernel {
 inline void triangle_contacts8(const Triangles8& p, const Pose& pose_p, const Triangles8& q, const Pose& pose_q,
                                Triangle_contacts8& found)
 {
-  using Function = void(const Triangles8&, const Pose&, const Triangles8&, const Pose&, Triangle_contacts8&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(triangle_contacts8_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(triangle_contacts8_simd);
   fastest(p, pose_p, q, pose_q, found);
 }
 

@@ -8,11 +8,9 @@
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/signs.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
-#include <type_traits>
 
 namespace tetracone::kernel {
 

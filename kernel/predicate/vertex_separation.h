@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <vector>
 
 /// A plane between two bodies that nearly touch in vertices. Doubles tell which vertices are so near that they may

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <type_traits>
 
 /// Vectors of numbers by Highway. A function is compiled for what every processor of the architecture has (x86-64:
 /// SSE2), for SSSE3, AVX2 and AVX-512. Its version is chosen at run time.
@@ -20,10 +21,10 @@
 ///     #define TETRACONE_SIMD_FILE "tetracone/FOLDER/ROOM/NAME_simd.inl"
 ///     #include "tetracone/kernel/simd/simd_rounds.h"
 ///
-///     inline Function* name()
+///     inline double name(double x)
 ///     {
-///       static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(name_simd));
-///       return fastest;
+///       static auto* const fastest = TETRACONE_SIMD_FASTEST(name_simd);
+///       return fastest(x);
 ///     }
 ///
 /// Vectors never cross a call. No vector function is a friend defined in a class template. g++ compiles such a friend
@@ -69,6 +70,11 @@
       HWY_STATIC_TARGET, &HWY_STATIC_DISPATCH(function)                                        \
     }                                                                                          \
   }
+
+/// The version of a function that this processor takes: see `fastest_version`.
+#define TETRACONE_SIMD_FASTEST(function)                                                                  \
+  ::tetracone::kernel::fastest_version<std::remove_reference_t<decltype(HWY_STATIC_DISPATCH(function))>>( \
+      TETRACONE_SIMD_VERSIONS(function))
 
 #ifndef TETRACONE_SIMD_HAS_OPERATIONS
 // The rounds are made here, not by hwy/foreach_target.h, which would repeat the file that includes this one. Highway

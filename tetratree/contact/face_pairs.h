@@ -17,7 +17,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <span>
 #include <type_traits>

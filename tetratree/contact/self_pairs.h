@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -180,10 +179,7 @@ class Self_pairs {
   /// True when the common vertices and edges of two faces hold a point or segment, given by its ends in order.
   bool is_held(const std::pair<Rational_point, Rational_point>& ends, Index f, Index g) const
   {
-    const auto exact = [&](Index v) {
-      const auto& x = model_.vertices()[v];
-      return Rational_point{x[0], x[1], x[2]};
-    };
+    const auto exact = [&](Index v) { return kernel::exact_point(model_.vertices()[v]); };
     const auto& [first, last] = ends;
     const auto is_on_line = [&](const Rational_point& a, const Rational_point& b, const Rational_point& x) {
       return kernel::is_zero(kernel::cross(kernel::difference(b, a), kernel::difference(x, a)));

@@ -157,6 +157,18 @@ Loops exactly(const Contacts_data& data, std::size_t k)
   return loops;
 }
 
+/// Returns what(x) for each point x of the loops.
+template <class What>
+auto each_point(const Loops& loops, const What& what)
+{
+  std::vector<std::vector<decltype(what(loops[0][0]))>> all;
+  for (const auto& loop : loops) {
+    all.emplace_back();
+    for (const Rational_point& x : loop) all.back().push_back(what(x));
+  }
+  return all;
+}
+
 double nearest(const Rational& x)
 {
   const double about = x.get_d();
@@ -196,12 +208,7 @@ std::vector<std::vector<Enclosure>> Contacts::loops(std::size_t k) const
         });
     if (are_narrow) return loops;
   }
-  std::vector<std::vector<Enclosure>> loops;
-  for (const auto& loop : exactly(*data_, k)) {
-    loops.emplace_back();
-    for (const Rational_point& x : loop) loops.back().push_back(enclosure(x));
-  }
-  return loops;
+  return each_point(exactly(*data_, k), enclosure);
 }
 
 std::array<Enclosure, 2> contact_normals(const Contacts& contacts, std::size_t k)
@@ -214,24 +221,15 @@ std::array<Enclosure, 2> contact_normals(const Contacts& contacts, std::size_t k
 
 std::vector<std::vector<std::array<std::string, 3>>> Contacts::exact_loops(std::size_t k) const
 {
-  std::vector<std::vector<std::array<std::string, 3>>> loops;
-  for (const auto& loop : exactly(*data_, k)) {
-    loops.emplace_back();
-    for (const Rational_point& x : loop)
-      loops.back().push_back({kernel::to_string(x[0]), kernel::to_string(x[1]), kernel::to_string(x[2])});
-  }
-  return loops;
+  return each_point(exactly(*data_, k), [](const Rational_point& x) {
+    return std::array{kernel::to_string(x[0]), kernel::to_string(x[1]), kernel::to_string(x[2])};
+  });
 }
 
 std::vector<std::vector<std::array<double, 3>>> Contacts::nearest_loops(std::size_t k) const
 {
   if (auto corners = unmoved_corners(*data_, data_->found.pieces[k])) return {std::move(*corners)};
-  std::vector<std::vector<std::array<double, 3>>> loops;
-  for (const auto& loop : exactly(*data_, k)) {
-    loops.emplace_back();
-    for (const Rational_point& x : loop) loops.back().push_back(nearest(x));
-  }
-  return loops;
+  return each_point(exactly(*data_, k), [](const Rational_point& x) { return nearest(x); });
 }
 
 }  // namespace tetracone

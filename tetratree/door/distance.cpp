@@ -19,20 +19,15 @@ detail::Distance_solver& distance_of(detail::Query_data& data)
   return *data.distance;
 }
 
-[[noreturn]] void refuse_limit(const std::string& limit)
-{
-  throw Error("query: limit '" + limit.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
-}
+kernel::Rational limit_of(const std::string& text) { return kernel::required_number(text, "query: limit "); }
 
 }  // namespace
 
-double Query::distance(const Pose& pose_a, const Pose& pose_b) { return distance(pose_a.exact(), pose_b.exact()); }
 double Query::distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return distance_of(data()).distance(pose_a, pose_b, data().question);
 }
 
-Nearest Query::nearest(const Pose& pose_a, const Pose& pose_b) { return nearest(pose_a.exact(), pose_b.exact()); }
 Nearest Query::nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return distance_of(data()).nearest(pose_a, pose_b, data().question);
@@ -40,18 +35,13 @@ Nearest Query::nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 
 bool Query::within(const Pose& pose_a, const Pose& pose_b, double limit)
 {
-  if (!std::isfinite(limit)) refuse_limit(kernel::shortest(limit));
-  return distance_of(data()).within(pose_a.exact(), pose_b.exact(), data().question, limit);
-}
-bool Query::within(const Pose& pose_a, const Pose& pose_b, const std::string& limit)
-{
-  return within(pose_a.exact(), pose_b.exact(), limit);
+  const kernel::Rational exact = std::isfinite(limit) ? kernel::Rational(limit) : limit_of(kernel::shortest(limit));
+  return distance_of(data()).within(pose_a.exact(), pose_b.exact(), data().question, exact);
 }
 bool Query::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit)
 {
-  const auto number = kernel::parse_number(limit);
-  if (!number) refuse_limit(limit);
-  return distance_of(data()).within(pose_a, pose_b, data().question, *number);
+  const kernel::Rational exact = limit_of(limit);
+  return distance_of(data()).within(pose_a, pose_b, data().question, exact);
 }
 
 std::vector<Index> Query::zone(const Pose& pose_a, const Pose& pose_b, const std::string& limit)
@@ -60,9 +50,8 @@ std::vector<Index> Query::zone(const Pose& pose_a, const Pose& pose_b, const std
 }
 std::vector<Index> Query::zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit)
 {
-  const auto number = kernel::parse_number(limit);
-  if (!number) refuse_limit(limit);
-  return distance_of(data()).zone(pose_a, pose_b, data().question, *number);
+  const kernel::Rational exact = limit_of(limit);
+  return distance_of(data()).zone(pose_a, pose_b, data().question, exact);
 }
 
 }  // namespace tetracone

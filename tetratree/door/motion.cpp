@@ -19,10 +19,7 @@ kernel::Rigid_pose rigid_pose(const std::array<Rational, 7>& numbers)
   return {{numbers[0], numbers[1], numbers[2], numbers[3]}, {numbers[4], numbers[5], numbers[6]}};
 }
 
-[[noreturn]] void refuse(const std::string& number)
-{
-  throw Error("motion: '" + number.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
-}
+Rational number(const std::string& text) { return kernel::required_number(text, "motion: "); }
 
 Motion rigid_motion(const std::array<Rational, 7>& from, const std::array<Rational, 7>& to)
 {
@@ -70,7 +67,7 @@ Motion Motion::rigid(const std::array<double, 7>& from, const std::array<double,
   std::array<std::array<Rational, 7>, 2> exact;
   for (std::size_t k = 0; k < 7; ++k) {
     for (const double x : {from[k], to[k]})
-      if (!std::isfinite(x)) refuse(kernel::shortest(x));
+      if (!std::isfinite(x)) number(kernel::shortest(x));  // refuses it
     exact[0][k] = from[k];
     exact[1][k] = to[k];
   }
@@ -79,11 +76,6 @@ Motion Motion::rigid(const std::array<double, 7>& from, const std::array<double,
 
 Motion Motion::rigid_from_text(const std::array<std::string, 7>& from, const std::array<std::string, 7>& to)
 {
-  const auto number = [](const std::string& text) {
-    const auto number = kernel::parse_number(text);
-    if (!number) refuse(text);
-    return *number;
-  };
   std::array<std::array<Rational, 7>, 2> exact;
   for (std::size_t k = 0; k < 7; ++k) {
     exact[0][k] = number(from[k]);

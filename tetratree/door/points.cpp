@@ -28,22 +28,13 @@ const tetratree::Point_locator& locator_of(const detail::Body_data& data, const 
   return data.point_locator();
 }
 
-[[noreturn]] void refuse_coordinate(const std::string& point, std::size_t k, const std::string& is,
-                                    const char* expected)
-{
-  throw Error(point + ": " + "xyz"[k] + " is " + is + "; expected " + expected);
-}
+std::string coordinate(const std::string& point, std::size_t k) { return point + ": " + "xyz"[k] + " is "; }
 
 /// Returns the point of texts. Throws Error for what is no number.
 kernel::Rational_point parsed(const std::array<std::string, 3>& point)
 {
   kernel::Rational_point exact;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto number = kernel::parse_number(point[k]);
-    if (!number)
-      refuse_coordinate("point", k, "'" + point[k].substr(0, 40) + "'", "a finite decimal number or a fraction n/d");
-    exact[k] = *number;
-  }
+  for (std::size_t k = 0; k < 3; ++k) exact[k] = kernel::required_number(point[k], coordinate("point", k));
   return exact;
 }
 
@@ -53,7 +44,7 @@ void require_finite(const std::array<double, 3>& point, const Name& name)
 {
   for (std::size_t k = 0; k < 3; ++k)
     if (!std::isfinite(point[k])) [[unlikely]]
-      refuse_coordinate(name(), k, kernel::shortest(point[k]), "a finite number");
+      throw Error(coordinate(name(), k) + kernel::shortest(point[k]) + "; expected a finite number");
 }
 
 /// True when all coordinates are finite. It has no branch for each, since there are many.
@@ -104,7 +95,7 @@ class Signed_distances {
   /// Returns the answer for a point, by enclosures if they have decided it.
   Nearest_point answer(const std::array<double, 3>& x, const std::optional<tetratree::Surface_point>& found)
   {
-    if (!found) return exactly({x[0], x[1], x[2]});
+    if (!found) return exactly(kernel::exact_point(x));
     return {signed_by(locator_.locate(x), found->distance), found->point, holder(*found), found->is_only};
   }
 

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <future>
 #include <string>
-#include <utility>
 
 namespace tetracone {
 namespace {
@@ -49,8 +48,6 @@ detail::Query_data& Query::data() const
   return *data_;
 }
 
-Answer Query::collide(const Pose& pose_a, const Pose& pose_b) { return collide(pose_a.exact(), pose_b.exact()); }
-
 Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   detail::Query_data& d = data();
@@ -76,17 +73,10 @@ std::vector<Answer> Query::collide(std::span<const Pose> poses_a, std::span<cons
   return answers;
 }
 
-std::vector<Feature_pair> Query::features(const Pose& pose_a, const Pose& pose_b)
-{
-  return features(pose_a.exact(), pose_b.exact());
-}
-
 std::vector<Feature_pair> Query::features(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return data().solver->features(pose_a, pose_b);
 }
-
-Contacts Query::contacts(const Pose& pose_a, const Pose& pose_b) { return contacts(pose_a.exact(), pose_b.exact()); }
 
 Contacts Query::contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {

@@ -5,6 +5,7 @@
 #include "tetracone/tetratree/door/kernel_list.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,13 +46,8 @@ inline constexpr std::array all_methods = {Method::tree, Method::tuned, Method::
 /// Returns the enumerator's own name.
 constexpr std::string_view to_string(Method method)
 {
-  switch (method) {
-    case Method::tree: return "tree";
-    case Method::tuned: return "tuned";
-    case Method::paper: return "paper";
-    case Method::brute: break;
-  }
-  return "brute";
+  constexpr std::array<std::string_view, 4> names = {"tree", "tuned", "paper", "brute"};
+  return names[std::size_t(method)];
 }
 
 /// Returns the method of this name, or nothing.

@@ -52,10 +52,7 @@ kernel::Rational_point detail::exact_normal(const Polyhedron& polyhedron, Index 
   if (face >= polyhedron.face_count())
     throw Error("body: face " + std::to_string(face) + " of " + std::to_string(polyhedron.face_count()) +
                 "; expected a face's number");
-  const auto exact = [&](Index v) {
-    const auto& x = polyhedron.vertices[v];
-    return kernel::Rational_point{x[0], x[1], x[2]};
-  };
+  const auto exact = [&](Index v) { return kernel::exact_point(polyhedron.vertices[v]); };
   const kernel::Rational_point origin = exact(polyhedron.loop(face, 0)[0]);
   kernel::Rational_point normal;
   covering::for_each_directed_edge(polyhedron, face, [&](Index from, Index to) {
@@ -76,9 +73,8 @@ bool Body::is_hit(const Ray& ray, double end) const { return rays_of(*data_).any
 
 Crossing Body::crossing(const Ray& ray, Index face) const
 {
-  const auto& d = checked(ray).direction;
-  const int sign =
-      sgn(kernel::dot(detail::exact_normal(data_->polyhedron, face), kernel::Rational_point{d[0], d[1], d[2]}));
+  const kernel::Rational_point direction = kernel::exact_point(checked(ray).direction);
+  const int sign = sgn(kernel::dot(detail::exact_normal(data_->polyhedron, face), direction));
   return sign < 0 ? Crossing::entering : sign > 0 ? Crossing::leaving : Crossing::along;
 }
 

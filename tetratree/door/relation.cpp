@@ -31,13 +31,7 @@ std::array<std::string, 3> texts(const std::array<kernel::Wide_fraction, 3>& x)
 std::array<kernel::Rational, 3> direction_of(const std::array<std::string, 3>& texts)
 {
   std::array<kernel::Rational, 3> direction;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto number = kernel::parse_number(texts[k]);
-    if (!number)
-      throw Error("exits: '" + texts[k].substr(0, 40) +
-                  "' in the direction; expected a finite decimal number or a fraction n/d");
-    direction[k] = *number;
-  }
+  for (std::size_t k = 0; k < 3; ++k) direction[k] = kernel::required_number(texts[k], "exits: ", " in the direction");
   if (direction == std::array<kernel::Rational, 3>{0, 0, 0})
     throw Error("exits: the direction is 0; expected a vector of some length");
   return direction;
@@ -57,34 +51,21 @@ std::array<std::string, 3> Overlap::exact_contact_vector() const
   return texts({x, y, z});
 }
 
-Solid_contact Query::solid_relation(const Pose& pose_a, const Pose& pose_b)
-{
-  return solid_relation(pose_a.exact(), pose_b.exact());
-}
 Solid_contact Query::solid_relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return detail::relation_of(data()).relation(pose_a, pose_b);
 }
 
-Solid_relation Query::solid_relation_alone(const Pose& pose_a, const Pose& pose_b)
-{
-  return solid_relation_alone(pose_a.exact(), pose_b.exact());
-}
 Solid_relation Query::solid_relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return detail::relation_of(data()).relation_alone(pose_a, pose_b);
 }
 
-Overlap Query::overlap(const Pose& pose_a, const Pose& pose_b) { return overlap(pose_a.exact(), pose_b.exact()); }
 Overlap Query::overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return detail::relation_of(data()).overlap(pose_a, pose_b);
 }
 
-Overlap_bounds Query::overlap_bounds(const Pose& pose_a, const Pose& pose_b)
-{
-  return overlap_bounds(pose_a.exact(), pose_b.exact());
-}
 Overlap_bounds Query::overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   return detail::relation_of(data()).overlap_bounds(pose_a, pose_b);

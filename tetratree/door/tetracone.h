@@ -255,7 +255,7 @@ class Query {
 
   /// Returns whether the bodies collide under these poses, and their relation. Throws Error when the thread's floating
   /// point is not as exact answers need it, and for a query that has been moved from.
-  Answer collide(const Pose& pose_a, const Pose& pose_b);
+  Answer collide(const Pose& a, const Pose& b) { return collide(a.exact(), b.exact()); }
 
   /// Returns the answer for poses of the templates (`exact`). Requires det M != 0.
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
@@ -270,26 +270,26 @@ class Query {
 
   /// Returns all pairs of an edge of one body and a face of the other that share a point, with the kind of contact,
   /// sorted. Throws as `collide`.
-  std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b);
+  std::vector<Feature_pair> features(const Pose& a, const Pose& b) { return features(a.exact(), b.exact()); }
   /// Same, for poses of the templates. Requires det M != 0.
   std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Returns all pairs of faces that share a point, and where. Throws Error for a kernel that is not exact
   /// (`is_exact`), and as `collide`.
-  Contacts contacts(const Pose& pose_a, const Pose& pose_b);
+  Contacts contacts(const Pose& a, const Pose& b) { return contacts(a.exact(), b.exact()); }
   /// Same, for poses of the templates. Requires det M != 0.
   Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Returns the double nearest to the exact distance of the solids, 0 where they collide, or of the surfaces under
   /// `Question::surface`. The fast tree answers, whatever the method. The kernels adaptive and rational are exact,
   /// double rounds. Throws Error for other kernels, and as `collide`.
-  double distance(const Pose& pose_a, const Pose& pose_b);
+  double distance(const Pose& a, const Pose& b) { return distance(a.exact(), b.exact()); }
   /// Same, for poses of the templates. Requires det M != 0.
   double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Returns the squared distance and two nearest points, exactly, and what holds them. Where several pairs are
   /// nearest, it is one of them. Throws Error for a kernel that is not adaptive or rational, and as `collide`.
-  Nearest nearest(const Pose& pose_a, const Pose& pose_b);
+  Nearest nearest(const Pose& a, const Pose& b) { return nearest(a.exact(), b.exact()); }
   /// Same, for poses of the templates. Requires det M != 0.
   Nearest nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
@@ -297,31 +297,34 @@ class Query {
   /// negative limit. Throws Error for a limit that is not finite or no number, and as `distance`.
   bool within(const Pose& pose_a, const Pose& pose_b, double limit);
   /// Same, for a decimal, which stands for the nearest double, or a fraction "n/d".
-  bool within(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
+  bool within(const Pose& a, const Pose& b, const std::string& limit) { return within(a.exact(), b.exact(), limit); }
   /// Same, for poses of the templates. Requires det M != 0.
   bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
 
   /// Returns which of the eight relations of solids holds, and the dimension of what the surfaces share. Throws Error
   /// for `Question::surface`, for a kernel that is not adaptive, and as `collide`.
-  Solid_contact solid_relation(const Pose& pose_a, const Pose& pose_b);
+  Solid_contact solid_relation(const Pose& a, const Pose& b) { return solid_relation(a.exact(), b.exact()); }
   /// Same, for poses of the templates. Requires det M != 0.
   Solid_contact solid_relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Returns the relation alone. It ends at the first proper crossing, at about the price of `collide`; a dimension
   /// needs all contacts. Throws as `solid_relation`.
-  Solid_relation solid_relation_alone(const Pose& pose_a, const Pose& pose_b);
+  Solid_relation solid_relation_alone(const Pose& a, const Pose& b)
+  {
+    return solid_relation_alone(a.exact(), b.exact());
+  }
   /// Same, for poses of the templates. Requires det M != 0.
   Solid_relation solid_relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Returns the volume and the centroid of the overlap, and the area of contact, exactly. Throws as `solid_relation`.
-  Overlap overlap(const Pose& pose_a, const Pose& pose_b);
+  Overlap overlap(const Pose& a, const Pose& b) { return overlap(a.exact(), b.exact()); }
   /// Same, for poses of the templates. Requires det M != 0.
   Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Returns bounds of the volume and the centroid, by interval arithmetic where that suffices, in a small part of the
   /// time of `overlap`. Else all are computed exactly, and the bounds of each are equal or neighbours. Throws as
   /// `solid_relation`.
-  Overlap_bounds overlap_bounds(const Pose& pose_a, const Pose& pose_b);
+  Overlap_bounds overlap_bounds(const Pose& a, const Pose& b) { return overlap_bounds(a.exact(), b.exact()); }
   /// Same, for poses of the templates. Requires det M != 0.
   Overlap_bounds overlap_bounds(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 

@@ -121,8 +121,7 @@ namespace tetracone::tetratree {
 /// box, and parts that may meet it are pushed.
 inline Stop descend(Pair_stack& stack, Both_trees& trees)
 {
-  using Function = Stop(Pair_stack&, Both_trees&);
-  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(descend_simd);
   return fastest(stack, trees);
 }
 
@@ -130,8 +129,7 @@ inline Stop descend(Pair_stack& stack, Both_trees& trees)
 /// writes their parts to `next`. It adds pairs of leaves that it finds to `leaves`, and stops at one that it is given.
 inline Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Box_ids>& leaves)
 {
-  using Function = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Box_ids>&);
-  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_to_leaves_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(descend_to_leaves_simd);
   return fastest(level, next, trees, leaves);
 }
 

@@ -3,7 +3,6 @@
 
 #include "tetracone/tetratree/fast/bvh8_elements.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>

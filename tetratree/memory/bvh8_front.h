@@ -11,8 +11,6 @@
 #include "tetracone/tetratree/memory/front_entries.h"
 #include "tetracone/tetratree/memory/front_policy.h"
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>

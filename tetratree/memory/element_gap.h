@@ -30,9 +30,8 @@ inline Element_gap element_gap(const Bvh8& tree_a, const Element& a, const Bvh8&
   if (a.is_whole_face() || b.is_whole_face()) return {};
   kernel::Double_triangle in_a, in_b;
   for (int k = 0; k < 3; ++k) {
-    const kernel::Vector p = tree_a.local(a.corner[k]), q = tree_b.local(b.corner[k]);
-    in_a[k] = {p[0], p[1], p[2]};
-    in_b[k] = frame(std::array{q[0], q[1], q[2]});
+    in_a[k] = tree_a.local(a.corner[k]).at;
+    in_b[k] = frame(tree_b.local(b.corner[k]).at);
   }
   const auto& offset = frame.offset();
   const double largest = 1 + row_of_similarity * frame.scale() +

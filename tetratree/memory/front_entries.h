@@ -7,7 +7,6 @@
 #include "tetracone/kernel/simd/simd.h"
 #include "tetracone/tetratree/fast/bvh8_descent.h"
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -197,16 +196,14 @@ namespace tetracone::tetratree {
 /// for 8 more than all entries.
 inline std::size_t expired(const Front_entries& entries, std::uint32_t* found)
 {
-  using Function = std::size_t(const Front_entries&, std::uint32_t*);
-  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(expired_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(expired_simd);
   return fastest(entries, found);
 }
 
 /// Descends as `descend` does, and writes everything that is found apart to the front. Requires similarities.
 inline Stop descend_certified(Pair_stack& stack, Both_trees& trees, const Certifying& certifying)
 {
-  using Function = Stop(Pair_stack&, Both_trees&, const Certifying&);
-  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_certified_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(descend_certified_simd);
   return fastest(stack, trees, certifying);
 }
 
@@ -215,8 +212,7 @@ inline Stop descend_certified(Pair_stack& stack, Both_trees& trees, const Certif
 /// their count. Lowers `least` to the least gap.
 inline std::size_t keep_by_axes(const Certifying& certifying, std::uint32_t* asked, std::size_t count, double& least)
 {
-  using Function = std::size_t(const Certifying&, std::uint32_t*, std::size_t, double&);
-  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(keep_by_axes_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(keep_by_axes_simd);
   return fastest(certifying, asked, count, least);
 }
 
@@ -225,8 +221,7 @@ inline std::size_t keep_by_axes(const Certifying& certifying, std::uint32_t* ask
 inline void open_again(Pair_stack& stack, Both_trees& trees, const Certifying& certifying, const std::uint32_t* asked,
                        std::size_t count, double& least)
 {
-  using Function = void(Pair_stack&, Both_trees&, const Certifying&, const std::uint32_t*, std::size_t, double&);
-  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(open_again_simd));
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(open_again_simd);
   fastest(stack, trees, certifying, asked, count, least);
 }
 

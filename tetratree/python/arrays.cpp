@@ -152,6 +152,15 @@ Error renamed(const Error& error, std::string_view from, const std::string& to)
   return what.starts_with(from) ? Error(to + std::string(what.substr(from.size()))) : error;
 }
 
+std::size_t common_count(const std::string& about, std::size_t n, const std::string& first, std::size_t m,
+                         const std::string& second)
+{
+  if (n != m && n != 1 && m != 1)
+    throw Error(about + ": " + std::to_string(n) + first + " and " + std::to_string(m) + second +
+                "; expected as many, or one of either");
+  return n == 1 ? m : n;
+}
+
 Numbers::Numbers(const py::handle& values, std::string name) : name_(std::move(name)), array_(as_array(values, name_))
 {
   const char kind = array_.dtype().kind();

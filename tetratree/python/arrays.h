@@ -20,6 +20,11 @@ namespace tetracone::python {
 /// Returns the error with `to` in place of `from`, where its line begins with `from`.
 Error renamed(const Error& error, std::string_view from, const std::string& to);
 
+/// Returns how many answers two counts ask for, where one of either serves all of the other. Throws Error for others:
+/// "ABOUT: N FIRST and M SECOND; expected as many, or one of either".
+std::size_t common_count(const std::string& about, std::size_t n, const std::string& first, std::size_t m,
+                         const std::string& second);
+
 /// An array of doubles, read in place, or of exact numbers as texts. A decimal stands for the double nearest to it, a
 /// fraction "n/d" for itself.
 class Numbers {
@@ -76,6 +81,49 @@ class Numbers {
   std::vector<std::ptrdiff_t> strides_, text_strides_;
   bool exact_ = false;
   std::vector<std::string> texts_;
+};
+
+/// Rows of numbers: an array (n, width), or one row (width,).
+template <std::size_t width>
+class Rows {
+ public:
+  /// Messages call the array `name` and a row `one`. Throws Error for another shape, and as `Numbers`.
+  Rows(const pybind11::object& values, const std::string& name, const std::string& one)
+      : name_(name), numbers_(values, name)
+  {
+    const std::size_t dimensions = numbers_.dimensions();
+    const std::string columns = std::to_string(width);
+    if ((dimensions != 1 && dimensions != 2) || numbers_.extent(dimensions - 1) != width)
+      throw Error(name + ": an array of shape " + numbers_.shape() + "; expected (n, " + columns + "), or one " + one +
+                  " (" + columns + ",)");
+    is_one_ = dimensions == 1;
+  }
+
+  bool is_one() const { return is_one_; }
+  std::size_t count() const { return is_one_ ? 1 : numbers_.extent(0); }
+  bool is_exact_text() const { return numbers_.is_exact_text(); }
+
+  /// Returns row `k` of doubles, and of texts. Needs no interpreter's lock.
+  std::array<double, width> row(std::size_t k) const
+  {
+    std::array<double, width> row;
+    for (std::size_t i = 0; i < width; ++i) row[i] = is_one_ ? numbers_.number(i) : numbers_.number(k, i);
+    return row;
+  }
+  std::array<std::string, width> text(std::size_t k) const
+  {
+    std::array<std::string, width> text;
+    for (std::size_t i = 0; i < width; ++i) text[i] = is_one_ ? numbers_.text(i) : numbers_.text(k, i);
+    return text;
+  }
+
+  /// Returns the name of row `k` in messages.
+  std::string name(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
+
+ private:
+  std::string name_;
+  Numbers numbers_;
+  bool is_one_;
 };
 
 /// Poses of one body: an array (n, 3, 4) or (n, 4, 4), or one pose (3, 4) or (4, 4), or None for the identity.

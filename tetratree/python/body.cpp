@@ -49,55 +49,33 @@ void save(const Python_body& self, const py::object& path)
   save_body(self.body, name);
 }
 
-/// An array (n, 3), or one row (3,).
-class Rows {
- public:
-  Rows(const py::object& values, const std::string& name, const char* one) : name_(name), numbers_(values, name)
-  {
-    const std::size_t dimensions = numbers_.dimensions();
-    if ((dimensions != 1 && dimensions != 2) || numbers_.extent(dimensions - 1) != 3)
-      throw Error(name + ": an array of shape " + numbers_.shape() + "; expected (n, 3), or one " + one + " (3,)");
-    is_one_ = dimensions == 1;
-    count_ = is_one_ ? 1 : numbers_.extent(0);
-  }
+using Points = Rows<3>;
 
-  bool is_one() const { return is_one_; }
-  std::size_t count() const { return count_; }
-  bool is_exact_text() const { return numbers_.is_exact_text(); }
-  std::array<double, 3> row(std::size_t k) const { return {number(k, 0), number(k, 1), number(k, 2)}; }
-  std::array<std::string, 3> text(std::size_t k) const { return {word(k, 0), word(k, 1), word(k, 2)}; }
-  std::string name(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
-
- private:
-  double number(std::size_t k, std::size_t i) const { return is_one_ ? numbers_.number(i) : numbers_.number(k, i); }
-  const std::string& word(std::size_t k, std::size_t i) const
-  {
-    return is_one_ ? numbers_.text(i) : numbers_.text(k, i);
-  }
-
-  std::string name_;
-  Numbers numbers_;
-  bool is_one_;
-  std::size_t count_;
-};
+/// Calls ask(k) for each point, as `for_each_unlocked`. Throws Error with the point's name.
+template <class Ask>
+void for_each_point(const Points& points, const Ask& ask)
+{
+  for_each_unlocked(points.count(), no_lock, [&](std::size_t k) {
+    try {
+      ask(k);
+    } catch (const Error& error) {
+      throw renamed(error, "point:", points.name(k) + ":");
+    }
+  });
+}
 
 py::object inside(const Python_body& self, const py::object& values)
 {
-  const Rows points(values, "points", "point");
+  const Points points(values, "points", "point");
   py::array_t<std::int8_t> answers(static_cast<py::ssize_t>(points.count()));
   std::int8_t* const answer = answers.mutable_data();
   {
     const py::gil_scoped_release unlocked;
     self.body.inside(std::span<const std::array<double, 3>>());  // an open surface is refused without points too
   }
-  No_lock none;
-  for_each_unlocked(points.count(), none, [&](std::size_t k) {
-    try {
-      answer[k] =
-          std::int8_t(points.is_exact_text() ? self.body.inside_text(points.text(k)) : self.body.inside(points.row(k)));
-    } catch (const Error& error) {
-      throw renamed(error, "point:", points.name(k) + ":");
-    }
+  for_each_point(points, [&](std::size_t k) {
+    answer[k] =
+        std::int8_t(points.is_exact_text() ? self.body.inside_text(points.text(k)) : self.body.inside(points.row(k)));
   });
   if (points.is_one()) return py::int_(int(answer[0]));
   return answers;
@@ -105,19 +83,14 @@ py::object inside(const Python_body& self, const py::object& values)
 
 py::tuple nearest(const Python_body& self, const py::object& values)
 {
-  const Rows points(values, "points", "point");
+  const Points points(values, "points", "point");
   std::vector<Nearest_point> answers(points.count());
   {
     const py::gil_scoped_release unlocked;
     self.body.nearest(std::span<const std::array<double, 3>>());  // an open surface is refused without points too
   }
-  No_lock none;
-  for_each_unlocked(points.count(), none, [&](std::size_t k) {
-    try {
-      answers[k] = points.is_exact_text() ? self.body.nearest_text(points.text(k)) : self.body.nearest(points.row(k));
-    } catch (const Error& error) {
-      throw renamed(error, "point:", points.name(k) + ":");
-    }
+  for_each_point(points, [&](std::size_t k) {
+    answers[k] = points.is_exact_text() ? self.body.nearest_text(points.text(k)) : self.body.nearest(points.row(k));
   });
   const auto count = static_cast<py::ssize_t>(answers.size());
   py::array_t<double> distances(count), at({count, py::ssize_t(3)});
@@ -194,7 +167,7 @@ class Rays {
   Rays(const py::object& origins, const py::object& directions, const Column& more)
       : origins_(origins, "origins", "origin"), directions_(directions, "directions", "direction"), more_(more)
   {
-    for (const Rows* rows : {&origins_, &directions_})
+    for (const Points* rows : {&origins_, &directions_})
       if (rows->is_exact_text()) throw Error(rows->name(0) + ": numbers that are no doubles; expected doubles");
     if (!origins_.is_one() && !directions_.is_one() && origins_.count() != directions_.count())
       throw Error("rays: " + std::to_string(origins_.count()) + " origins and " + std::to_string(directions_.count()) +
@@ -222,7 +195,7 @@ class Rays {
   bool are_one() const { return origins_.is_one() && directions_.is_one(); }
   std::size_t count_of_rays() const { return origins_.is_one() ? directions_.count() : origins_.count(); }
 
-  Rows origins_, directions_;
+  Points origins_, directions_;
   const Column& more_;
 };
 
@@ -236,8 +209,7 @@ py::object first_hit(const Python_body& self, const py::object& origins, const p
   py::array_t<double> ts(count);
   std::int64_t* const face = faces.mutable_data();
   double* const t = ts.mutable_data();
-  No_lock none;
-  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+  for_each_unlocked(rays.count(), no_lock, [&](std::size_t k) {
     const auto hit = rays.answer(k, [&](const Ray& ray) { return self.body.first_hit(ray, ends(k)); });
     face[k] = hit ? std::int64_t(hit->face) : -1;
     t[k] = hit ? hit->t : std::numeric_limits<double>::infinity();
@@ -253,8 +225,7 @@ py::object is_hit(const Python_body& self, const py::object& origins, const py::
   const Rays rays(origins, directions, ends);
   py::array_t<bool> answers(static_cast<py::ssize_t>(rays.count()));
   bool* const answer = answers.mutable_data();
-  No_lock none;
-  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+  for_each_unlocked(rays.count(), no_lock, [&](std::size_t k) {
     answer[k] = rays.answer(k, [&](const Ray& ray) { return self.body.is_hit(ray, ends(k)); });
   });
   if (rays.is_one()) return py::bool_(answer[0]);
@@ -267,8 +238,7 @@ py::object crossings(const Python_body& self, const py::object& origins, const p
   const Face_numbers faces(of_faces);
   const Rays rays(origins, directions, faces);
   std::vector<std::string_view> found(rays.count());
-  No_lock none;
-  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+  for_each_unlocked(rays.count(), no_lock, [&](std::size_t k) {
     found[k] = rays.answer(k, [&](const Ray& ray) {
       return faces.answer(k, std::string_view(), [&](Index face) { return to_string(self.body.crossing(ray, face)); });
     });
@@ -286,8 +256,7 @@ py::object face_normals(const Python_body& self, const py::object& of_faces)
   double* const row = rows.mutable_data();
   std::array<double, 3> no_normal{};
   no_normal.fill(std::numeric_limits<double>::quiet_NaN());
-  No_lock none;
-  for_each_unlocked(faces.count(), none, [&](std::size_t k) {
+  for_each_unlocked(faces.count(), no_lock, [&](std::size_t k) {
     std::ranges::copy(faces.answer(k, no_normal, [&](Index face) { return self.body.normal(face); }), row + 3 * k);
   });
   return faces.is_one() ? py::object(rows.attr("reshape")(3)) : rows;
@@ -299,8 +268,7 @@ py::tuple hits(const Python_body& self, const py::object& origins, const py::obj
   const Rays rays(origins, directions, ends);
   std::vector<std::int64_t> ray_of, faces;
   std::vector<double> ts;
-  No_lock none;
-  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+  for_each_unlocked(rays.count(), no_lock, [&](std::size_t k) {
     for (const Ray_hit& hit : rays.answer(k, [&](const Ray& ray) { return self.body.hits(ray, ends(k)); })) {
       ray_of.push_back(std::int64_t(k));
       faces.push_back(std::int64_t(hit.face));

@@ -9,10 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace tetracone::python {
@@ -25,37 +23,28 @@ namespace {
 template <class What>
 py::array piece_words(const Contacts& contacts, std::size_t sides, const What& what)
 {
-  constexpr std::size_t length = 8;
   std::vector<std::size_t> shape = {contacts.size()};
   if (sides > 1) shape.push_back(sides);
   py::array words(py::dtype("U8"), shape);
-  auto* const letters = static_cast<char32_t*>(words.mutable_data());
-  for (std::size_t k = 0; k < contacts.size() * sides; ++k) {
-    const std::string_view word = what(k / sides, k % sides);
-    for (std::size_t i = 0; i < length; ++i)
-      letters[k * length + i] = i < word.size() ? char32_t(static_cast<unsigned char>(word[i])) : U'\0';
-  }
+  auto* const word = static_cast<Word<8>*>(words.mutable_data());
+  for (std::size_t k = 0; k < contacts.size() * sides; ++k) word[k] = what(k / sides, k % sides);
   return words;
 }
 
 py::array faces(const Contacts& contacts)
 {
   py::array_t<std::uint32_t> faces({contacts.size(), std::size_t(2)});
-  auto rows = faces.mutable_unchecked<2>();
+  std::uint32_t* row = faces.mutable_data();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    rows(py::ssize_t(k), 0) = contacts[k].face_a;
-    rows(py::ssize_t(k), 1) = contacts[k].face_b;
+    *row++ = contacts[k].face_a;
+    *row++ = contacts[k].face_b;
   }
   return faces;
 }
 
 py::array points(const std::vector<std::array<double, 3>>& of)
 {
-  py::array_t<double> points({of.size(), std::size_t(3)});
-  auto rows = points.mutable_unchecked<2>();
-  for (std::size_t k = 0; k < of.size(); ++k)
-    for (std::size_t i = 0; i < 3; ++i) rows(py::ssize_t(k), py::ssize_t(i)) = of[k][i];
-  return points;
+  return py::array_t<double>({of.size(), std::size_t(3)}, reinterpret_cast<const double*>(of.data()));
 }
 
 /// Returns the number of piece k; a negative k counts from the end.
@@ -73,17 +62,20 @@ py::list loops(const Contacts& contacts, std::ptrdiff_t k)
   return loops;
 }
 
+/// Writes the lower bounds, then the upper ones; returns the place behind them.
+double* copy_bounds(const Enclosure& point, double* at)
+{
+  for (const auto* bound : {&point.lower, &point.upper}) at = std::copy(bound->begin(), bound->end(), at);
+  return at;
+}
+
 py::list enclosures(const Contacts& contacts, std::ptrdiff_t k)
 {
   py::list enclosures;
   for (const auto& loop : contacts.loops(piece_number(contacts, k))) {
     py::array_t<double> bounds({loop.size(), std::size_t(2), std::size_t(3)});
-    auto rows = bounds.mutable_unchecked<3>();
-    for (std::size_t j = 0; j < loop.size(); ++j)
-      for (std::size_t i = 0; i < 3; ++i) {
-        rows(py::ssize_t(j), 0, py::ssize_t(i)) = loop[j].lower[i];
-        rows(py::ssize_t(j), 1, py::ssize_t(i)) = loop[j].upper[i];
-      }
+    double* at = bounds.mutable_data();
+    for (const Enclosure& point : loop) at = copy_bounds(point, at);
     enclosures.append(bounds);
   }
   return enclosures;
@@ -94,8 +86,7 @@ py::array normals(const Contacts& contacts)
   py::array_t<double> all({contacts.size(), std::size_t(2), std::size_t(2), std::size_t(3)});
   double* at = all.mutable_data();
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    for (const Enclosure& normal : contact_normals(contacts, k))
-      for (const auto* bound : {&normal.lower, &normal.upper}) at = std::copy(bound->begin(), bound->end(), at);
+    for (const Enclosure& normal : contact_normals(contacts, k)) at = copy_bounds(normal, at);
   return all;
 }
 

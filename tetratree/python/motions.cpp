@@ -4,6 +4,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/python/arrays.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -15,59 +16,39 @@ namespace py = pybind11;
 
 namespace {
 
-std::size_t common_count(std::size_t from, std::size_t to, const std::string& body)
-{
-  if (from != to && from != 1 && to != 1)
-    throw Error("motion: " + std::to_string(from) + " poses" + (body.empty() ? "" : " of " + body) + " at t = 0 and " +
-                std::to_string(to) + " at t = 1; expected as many, or one of either");
-  return from == 1 ? to : from;
-}
-
 /// Rigid poses as quaternions and translations.
 class Rigid_poses {
  public:
   Rigid_poses(const py::object& values, const std::string& name) : name_(name)
   {
-    if (values.is_none()) return;
-    numbers_.emplace(values, name);
-    const std::size_t dimensions = numbers_->dimensions();
-    if ((dimensions != 1 && dimensions != 2) || numbers_->extent(dimensions - 1) != 7)
-      throw Error(name + ": an array of shape " + numbers_->shape() + "; expected (n, 7), or one pose (7,)");
-    is_one_ = dimensions == 1;
-    if (!is_one_) count_ = numbers_->extent(0);
+    if (!values.is_none()) rows_.emplace(values, name, "pose");
   }
 
-  bool is_one() const { return is_one_; }
-  std::size_t count() const { return count_; }
-  std::string name(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
+  bool is_one() const { return !rows_ || rows_->is_one(); }
+  std::size_t count() const { return rows_ ? rows_->count() : 1; }
+  std::string name(std::size_t k) const { return rows_ ? rows_->name(k) : name_; }
 
   std::array<std::string, 7> operator()(std::size_t k) const
   {
-    if (!numbers_) return {"1", "0", "0", "0", "0", "0", "0"};
+    if (!rows_) return {"1", "0", "0", "0", "0", "0", "0"};
+    if (rows_->is_exact_text()) return rows_->text(k);
     std::array<std::string, 7> pose;
-    for (std::size_t i = 0; i < 7; ++i) {
-      if (numbers_->is_exact_text())
-        pose[i] = is_one_ ? numbers_->text(i) : numbers_->text(k, i);
-      else
-        pose[i] = kernel::shortest(is_one_ ? numbers_->number(i) : numbers_->number(k, i));
-    }
+    std::ranges::transform(rows_->row(k), pose.begin(), kernel::shortest);
     return pose;
   }
 
  private:
   std::string name_;
-  std::optional<Numbers> numbers_;  // none: the identity
-  bool is_one_ = true;
-  std::size_t count_ = 1;
+  std::optional<Rows<7>> rows_;  // none: the identity
 };
 
 /// Returns the motion between the quaternions of two rotations, the short way round. Throws Error for a matrix that is
 /// no rotation.
-Motion rigid_motion(const kernel::Pose& from, const kernel::Pose& to)
+Motion rigid_motion(const Pose& from, const Pose& to)
 {
   std::array<kernel::Rigid_pose, 2> ends;
   for (std::size_t k = 0; k < 2; ++k) {
-    const kernel::Pose& pose = k == 0 ? from : to;
+    const kernel::Pose& pose = (k == 0 ? from : to).exact();
     const auto rotation = kernel::rotation_quaternion(pose);
     if (!rotation)
       throw Error("motion: the 3x3 part at t = " + std::to_string(k) +
@@ -93,37 +74,34 @@ Motions::Motions(const py::object& from, const py::object& to, const std::string
   const std::string start = "poses_" + body + "0", end = "poses_" + body + "1";
   const auto make = [&](const auto& first, const auto& last, const auto& motion) {
     is_one_ = first.is_one() && last.is_one();
-    const std::size_t count = common_count(first.count(), last.count(), body);
-    for (std::size_t k = 0; k < count; ++k)
-      motions_.push_back(motion(first.count() == 1 ? 0 : k, last.count() == 1 ? 0 : k));
+    const std::size_t count =
+        common_count("motion", first.count(), " poses" + (body.empty() ? "" : " of " + body) + " at t = 0",
+                     last.count(), " at t = 1");
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t i = first.count() == 1 ? 0 : k, j = last.count() == 1 ? 0 : k;
+      try {
+        motions_.push_back(motion(first, i, last, j));
+      } catch (const Error& error) {
+        throw renamed(error, "motion:", first.name(i) + ", " + last.name(j) + ":");
+      }
+    }
+  };
+  const auto of_poses = [](const auto& motion) {
+    return [&motion](const Poses& first, std::size_t i, const Poses& last, std::size_t j) {
+      first.require(i);
+      last.require(j);
+      return motion(first(i), last(j));
+    };
   };
   if (kind == "linear") {
-    const Poses first(from, start), last(to, end);
-    make(first, last, [&](std::size_t i, std::size_t j) {
-      first.require(i);
-      last.require(j);
-      return Motion::linear(first(i), last(j));
-    });
+    make(Poses(from, start), Poses(to, end), of_poses(Motion::linear));
   } else if (kind == "rigid" && (are_matrices(from, start) || are_matrices(to, end))) {
-    const Poses first(from, start), last(to, end);
-    make(first, last, [&](std::size_t i, std::size_t j) {
-      first.require(i);
-      last.require(j);
-      try {
-        return rigid_motion(first(i).exact(), last(j).exact());
-      } catch (const Error& error) {
-        throw renamed(error, "motion:", first.name(i) + ", " + last.name(j) + ":");
-      }
-    });
+    make(Poses(from, start), Poses(to, end), of_poses(rigid_motion));
   } else if (kind == "rigid") {
-    const Rigid_poses first(from, start), last(to, end);
-    make(first, last, [&](std::size_t i, std::size_t j) {
-      try {
-        return Motion::rigid_from_text(first(i), last(j));
-      } catch (const Error& error) {
-        throw renamed(error, "motion:", first.name(i) + ", " + last.name(j) + ":");
-      }
-    });
+    make(Rigid_poses(from, start), Rigid_poses(to, end),
+         [](const Rigid_poses& first, std::size_t i, const Rigid_poses& last, std::size_t j) {
+           return Motion::rigid_from_text(first(i), last(j));
+         });
   } else {
     throw Error("query: motion '" + kind.substr(0, 40) + "'; expected linear or rigid");
   }

@@ -43,20 +43,6 @@ struct Locked_query {
   std::mutex lock;  // never waited for with the interpreter's lock
 };
 
-/// A word in an array of numpy's fixed-length texts.
-template <std::size_t length>
-struct Word {
-  std::array<char32_t, length> letters{};
-
-  Word& operator=(std::string_view word)
-  {
-    letters = {};
-    std::copy(word.begin(), word.end(), letters.begin());
-    return *this;
-  }
-};
-using Relation_word = Word<8>;
-
 struct Feature_row {
   std::int32_t body;
   std::uint32_t edge_from, edge_to, face;
@@ -93,11 +79,7 @@ py::array rows_of(const std::vector<Feature_pair>& features)
 struct Pose_pairs {
   Pose_pairs(const py::object& poses_b, const py::object& poses_a) : a(poses_a, "poses_a"), b(poses_b, "poses_b")
   {
-    count = a.is_one() ? b.count() : a.count();
-    if (!a.is_one() && !b.is_one() && a.count() != b.count() && a.count() != 1 && b.count() != 1)
-      throw Error("query: " + std::to_string(a.count()) + " poses of a and " + std::to_string(b.count()) +
-                  " of b; expected as many, or one of either");
-    if (a.count() == 1) count = b.count();
+    count = common_count("query", a.count(), " poses of a", b.count(), " of b");
   }
   bool is_one() const { return a.is_one() && b.is_one(); }
 
@@ -153,20 +135,47 @@ void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answe
   }
 }
 
+/// Returns answer(query, pose of a, pose of b) for all pairs, in an array of Value; for one pose of each, the value.
+template <class Value, class Answer>
+py::object all_of(Locked_query& self, const Pose_pairs& poses, const Answer& answer_of)
+{
+  if (poses.is_one()) {
+    Value answer{};
+    ask_all(self, poses,
+            [&](std::size_t, Query& query, const Pose& a, const Pose& b) { answer = answer_of(query, a, b); });
+    return py::cast(answer);
+  }
+  py::array_t<Value> answers(static_cast<py::ssize_t>(poses.count));
+  Value* const answer = answers.mutable_data();
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { answer[k] = answer_of(query, a, b); });
+  return answers;
+}
+
+/// Returns what answer(query, pose of a, pose of b) returns, for all pairs.
+template <class Answer>
+auto found_for(Locked_query& self, const Pose_pairs& poses, const Answer& answer_of)
+{
+  std::vector<std::invoke_result_t<Answer, Query&, const Pose&, const Pose&>> found(poses.count);
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = answer_of(query, a, b); });
+  return found;
+}
+
+/// Returns a list of what `made` makes of each; for one pose of each body, what it makes of the only one.
+template <class Found, class Made>
+py::object list_of(const std::vector<Found>& found, const Pose_pairs& poses, const Made& made)
+{
+  if (poses.is_one()) return made(found[0]);
+  py::list all;
+  for (const Found& each : found) all.append(made(each));
+  return all;
+}
+
 py::object collide(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
-  const Pose_pairs poses(poses_b, poses_a);
-  if (poses.is_one()) {
-    bool answer = false;
-    ask_all(self, poses,
-            [&](std::size_t, Query& query, const Pose& a, const Pose& b) { answer = bool(query.collide(a, b)); });
-    return py::bool_(answer);
-  }
-  py::array_t<bool> answers(static_cast<py::ssize_t>(poses.count));
-  bool* const answer = answers.mutable_data();
-  ask_all(self, poses,
-          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { answer[k] = bool(query.collide(a, b)); });
-  return answers;
+  return all_of<bool>(self, Pose_pairs(poses_b, poses_a),
+                      [](Query& query, const Pose& a, const Pose& b) { return bool(query.collide(a, b)); });
 }
 
 py::object first_contact(Locked_query& self, const py::object& poses_b0, const py::object& poses_b1,
@@ -175,10 +184,7 @@ py::object first_contact(Locked_query& self, const py::object& poses_b0, const p
 {
   require_keywords(more, "first_contact(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...)");
   const Motions of_a(poses_a0, poses_a1, kind, "a"), of_b(poses_b0, poses_b1, kind, "b");
-  if (of_a.count() != of_b.count() && of_a.count() != 1 && of_b.count() != 1)
-    throw Error("query: " + std::to_string(of_a.count()) + " motions of a and " + std::to_string(of_b.count()) +
-                " of b; expected as many, or one of either");
-  const std::size_t count = of_a.count() == 1 ? of_b.count() : of_a.count();
+  const std::size_t count = common_count("query", of_a.count(), " motions of a", of_b.count(), " of b");
   std::vector<std::optional<First_contact>> first(count);
   for_each_unlocked(count, self.lock, [&](std::size_t k) { first[k] = self.query.first_contact(of_a(k), of_b(k)); });
   if (of_a.is_one() && of_b.is_one()) {
@@ -198,24 +204,11 @@ py::object relation(Locked_query& self, const py::object& poses_b, const py::obj
 {
   const Pose_pairs poses(poses_b, poses_a);
   py::array answers(py::dtype("U8"), poses.count);
-  static_assert(sizeof(Relation_word) == 4 * 8);
-  auto* const answer = static_cast<Relation_word*>(answers.mutable_data());
+  auto* const answer = static_cast<Word<8>*>(answers.mutable_data());
   ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
     answer[k] = to_string(query.collide(a, b).relation());
   });
   if (poses.is_one()) return answers[py::int_(0)].attr("item")();
-  return answers;
-}
-
-/// Returns answer(query, pose of a, pose of b) for all pairs, in an array of Value.
-template <class Value, class Answer>
-py::object all_of(Locked_query& self, const Pose_pairs& poses, const Answer& answer_of)
-{
-  py::array_t<Value> answers(static_cast<py::ssize_t>(poses.count));
-  Value* const answer = answers.mutable_data();
-  ask_all(self, poses,
-          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { answer[k] = answer_of(query, a, b); });
-  if (poses.is_one()) return py::cast(answer[0]);
   return answers;
 }
 
@@ -240,26 +233,19 @@ py::object zone(Locked_query& self, const py::object& limit, const py::object& p
   require_keywords(more, "zone(limit, poses_a=..., poses_b=...)");
   const std::string most = exact_text(limit);
   const Pose_pairs poses(poses_b, poses_a);
-  std::vector<std::vector<std::uint32_t>> found(poses.count);
-  ask_all(self, poses,
-          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.zone(a, b, most); });
-  const auto array = [](const std::vector<std::uint32_t>& faces) {
+  const auto found =
+      found_for(self, poses, [&](Query& query, const Pose& a, const Pose& b) { return query.zone(a, b, most); });
+  return list_of(found, poses, [](const std::vector<std::uint32_t>& faces) {
     return py::array_t<std::uint32_t>(py::ssize_t(faces.size()), faces.data());
-  };
-  if (poses.is_one()) return array(found[0]);
-  py::list all;
-  for (const auto& faces : found) all.append(array(faces));
-  return all;
+  });
 }
 
 py::object solid_relation(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
-  using Relation_word = Word<10>;
-  static_assert(sizeof(Relation_word) == 4 * 10);
   py::array relations(py::dtype("U10"), poses.count);
   py::array_t<std::int8_t> dimensions(static_cast<py::ssize_t>(poses.count));
-  auto* const relation = static_cast<Relation_word*>(relations.mutable_data());
+  auto* const relation = static_cast<Word<10>*>(relations.mutable_data());
   std::int8_t* const dimension = dimensions.mutable_data();
   ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
     const Solid_contact contact = query.solid_relation(a, b);
@@ -281,9 +267,8 @@ py::dict single_values(const py::dict& columns)
 py::dict overlap(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
-  std::vector<Overlap> found(poses.count);
-  ask_all(self, poses,
-          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.overlap(a, b); });
+  const auto found =
+      found_for(self, poses, [](Query& query, const Pose& a, const Pose& b) { return query.overlap(a, b); });
   return overlap_columns(found, poses.is_one());
 }
 
@@ -293,9 +278,8 @@ py::dict exits(Locked_query& self, const py::object& direction, const py::object
   require_keywords(more, "exits(direction, poses_a=..., poses_b=...)");
   const std::array<std::string, 3> along = direction_of(direction);
   const Pose_pairs poses(poses_b, poses_a);
-  std::vector<Exits> found(poses.count);
-  ask_all(self, poses,
-          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.exits(a, b, along); });
+  const auto found =
+      found_for(self, poses, [&](Query& query, const Pose& a, const Pose& b) { return query.exits(a, b, along); });
   return exit_columns(found, poses.is_one());
 }
 
@@ -303,9 +287,8 @@ py::dict depth(Locked_query& self, const py::object& poses_b, double relative, s
                const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
-  std::vector<Depth> found(poses.count);
-  ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
-    found[k] = query.depth(a, b, {relative, budget});
+  const auto found = found_for(self, poses, [&](Query& query, const Pose& a, const Pose& b) {
+    return query.depth(a, b, {relative, budget});
   });
   return depth_columns(found, poses.is_one());
 }
@@ -343,25 +326,17 @@ py::object certificate(Locked_query& self, const py::object& poses_b, const std:
 py::object features(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
-  std::vector<std::vector<Feature_pair>> found(poses.count);
-  ask_all(self, poses,
-          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.features(a, b); });
-  if (poses.is_one()) return rows_of(found[0]);
-  py::list rows;
-  for (const auto& pairs : found) rows.append(rows_of(pairs));
-  return rows;
+  const auto found =
+      found_for(self, poses, [](Query& query, const Pose& a, const Pose& b) { return query.features(a, b); });
+  return list_of(found, poses, rows_of);
 }
 
 py::object contacts(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
-  std::vector<std::optional<Contacts>> found(poses.count);
-  ask_all(self, poses,
-          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.contacts(a, b); });
-  if (poses.is_one()) return py::cast(*found[0]);
-  py::list all;
-  for (const auto& each : found) all.append(py::cast(*each));
-  return all;
+  const auto found = found_for(
+      self, poses, [](Query& query, const Pose& a, const Pose& b) { return std::optional(query.contacts(a, b)); });
+  return list_of(found, poses, [](const std::optional<Contacts>& each) { return py::cast(*each); });
 }
 
 py::dict statistics(Locked_query& self)

@@ -11,11 +11,13 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -104,14 +106,14 @@ std::shared_ptr<Locked_scene> made_scene(const Bodies& bodies, const py::str& of
   return scene;
 }
 
-/// Returns an array (m, 2) of the bodies' numbers.
-template <class Pairs, class Pair_of>
-py::array pairs_of(const Pairs& pairs, const Pair_of& pair_of)
+/// Returns an array (m, 2) of the bodies' numbers. `pair_of` is a member or a function of an element.
+template <class Pairs, class Pair_of = std::identity>
+py::array pairs_of(const Pairs& pairs, const Pair_of& pair_of = {})
 {
   py::array_t<std::uint32_t> rows({pairs.size(), std::size_t(2)});
   std::uint32_t* row = rows.mutable_data();
   for (const auto& each : pairs) {
-    const Scene_pair pair = pair_of(each);
+    const Scene_pair pair = std::invoke(pair_of, each);
     *row++ = std::uint32_t(pair.a);
     *row++ = std::uint32_t(pair.b);
   }
@@ -120,8 +122,7 @@ py::array pairs_of(const Pairs& pairs, const Pair_of& pair_of)
 
 py::array pairs(Locked_scene& self)
 {
-  const std::vector<Scene_pair> found = self.alone([](Scene& scene) { return scene.pairs(); });
-  return pairs_of(found, [](const Scene_pair& pair) { return pair; });
+  return pairs_of(self.alone([](Scene& scene) { return scene.pairs(); }));
 }
 
 py::tuple pairs_within(Locked_scene& self, const py::object& limit)
@@ -129,8 +130,8 @@ py::tuple pairs_within(Locked_scene& self, const py::object& limit)
   const std::string most = exact_text(limit);
   const std::vector<Scene_distance> found = self.alone([&](Scene& scene) { return scene.pairs_within(most); });
   py::array_t<double> distances(static_cast<py::ssize_t>(found.size()));
-  for (std::size_t k = 0; k < found.size(); ++k) distances.mutable_data()[k] = found[k].distance;
-  return py::make_tuple(pairs_of(found, [](const Scene_distance& each) { return each.pair; }), distances);
+  std::ranges::transform(found, distances.mutable_data(), &Scene_distance::distance);
+  return py::make_tuple(pairs_of(found, &Scene_distance::pair), distances);
 }
 
 py::array frame(Locked_scene& self, const py::object& of_poses)
@@ -144,8 +145,7 @@ py::array frame(Locked_scene& self, const py::object& of_poses)
     return scene.frame(all);
   };
   try {
-    const std::vector<Scene_pair> found = self.alone(ask);
-    return pairs_of(found, [](const Scene_pair& pair) { return pair; });
+    return pairs_of(self.alone(ask));
   } catch (const Error&) {
     if (placed < poses.count()) poses.require(placed);
     throw;
@@ -182,7 +182,7 @@ py::tuple first_contacts(Locked_scene& self, const py::object& poses_1, const py
     *time++ = contact.first.lo;
     *time++ = contact.first.hi;
   }
-  return py::make_tuple(pairs_of(found, [](const Scene_contact& contact) { return contact.pair; }), times);
+  return py::make_tuple(pairs_of(found, &Scene_contact::pair), times);
 }
 
 void place(Locked_scene& self, std::size_t body, const py::object& of_pose)
@@ -193,12 +193,21 @@ void place(Locked_scene& self, std::size_t body, const py::object& of_pose)
   self.alone([&](Scene& scene) { scene.place(body, poses(0)); });
 }
 
+/// Returns the method that asks the scene about two bodies, as `Locked_scene::alone` does.
+template <class Answer>
+auto of_pair(Answer (Scene::*ask)(std::size_t, std::size_t))
+{
+  return [ask](Locked_scene& self, std::size_t first, std::size_t second) {
+    return self.alone([&](Scene& scene) { return (scene.*ask)(first, second); });
+  };
+}
+
 py::tuple undecided(Locked_scene& self)
 {
   const std::vector<Undecided_pair> left = self.alone([](Scene& scene) { return scene.undecided(); });
   py::array_t<double> farthest(static_cast<py::ssize_t>(left.size()));
-  for (std::size_t k = 0; k < left.size(); ++k) farthest.mutable_data()[k] = left[k].farthest;
-  return py::make_tuple(pairs_of(left, [](const Undecided_pair& each) { return each.pair; }), farthest);
+  std::ranges::transform(left, farthest.mutable_data(), &Undecided_pair::farthest);
+  return py::make_tuple(pairs_of(left, &Undecided_pair::pair), farthest);
 }
 
 py::dict scene_statistics(Locked_scene& self)
@@ -249,12 +258,7 @@ budget: seconds for a frame; what is not decided then is `undecided`. 0: no limi
            "remove(number)\n\nTakes a body out; its number is not used again.")
       .def("replace", &Locked_scene::replace, py::arg("number"), py::arg("body"),
            "replace(number, body)\n\nPuts another `Body` in its place.")
-      .def(
-          "ignore",
-          [](Locked_scene& self, std::size_t first, std::size_t second) {
-            self.alone([&](Scene& scene) { scene.ignore(first, second); });
-          },
-          a, b, "ignore(a, b)\n\nThese two are not asked for.")
+      .def("ignore", of_pair(&Scene::ignore), a, b, "ignore(a, b)\n\nThese two are not asked for.")
       .def("place", &place, py::arg("number"), py::arg("pose"),
            "place(number, pose)\n\nPlaces a body from now on: (3, 4) or (4, 4), as `Query` says.")
       .def("pairs", &pairs,
@@ -360,18 +364,9 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           "to "
           "part: as "
           "`Query.depth` says of one pose of each.")
-      .def(
-          "contacts",
-          [](Locked_scene& self, std::size_t first, std::size_t second) {
-            return self.alone([&](Scene& scene) { return scene.contacts(first, second); });
-          },
-          a, b, "contacts(a, b)\n\nThe `Contacts` of two placed bodies.")
-      .def(
-          "distance",
-          [](Locked_scene& self, std::size_t first, std::size_t second) {
-            return self.alone([&](Scene& scene) { return scene.distance(first, second); });
-          },
-          a, b, "distance(a, b)\n\nThe distance of two placed bodies, as `Query.distance`.")
+      .def("contacts", of_pair(&Scene::contacts), a, b, "contacts(a, b)\n\nThe `Contacts` of two placed bodies.")
+      .def("distance", of_pair(&Scene::distance), a, b,
+           "distance(a, b)\n\nThe distance of two placed bodies, as `Query.distance`.")
       .def(
           "within",
           [](Locked_scene& self, double limit, std::size_t first, std::size_t second) {

@@ -2,9 +2,6 @@
 
 #include "tetracone/kernel/number/number.h"
 
-#include <cstddef>
-#include <string_view>
-
 namespace tetracone::python {
 
 namespace py = pybind11;

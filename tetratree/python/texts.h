@@ -5,8 +5,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 /// Python's texts converted for the door, and the door's for Python.
 namespace tetracone::python {
@@ -19,6 +23,20 @@ std::string type_of(const pybind11::handle& value);
 
 /// Returns the decimal digits of an integer of any length. Throws Python's error for anything else.
 std::string digits_of(const pybind11::handle& integer);
+
+/// A word in an array of numpy's fixed-length texts, of the type "U" and this length. Requires ASCII that is no longer.
+template <std::size_t length>
+struct Word {
+  std::array<char32_t, length> letters{};
+
+  Word& operator=(std::string_view word)
+  {
+    letters = {};
+    std::copy(word.begin(), word.end(), letters.begin());
+    return *this;
+  }
+};
+static_assert(sizeof(Word<8>) == 4 * 8);
 
 /// Makes Python's fractions.Fraction of texts "n/d" and "n", which may have any number of digits.
 class Python_fraction {

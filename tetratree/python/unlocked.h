@@ -14,6 +14,7 @@ struct No_lock {
   void lock() {}
   void unlock() {}
 };
+inline No_lock no_lock;
 
 /// Calls each(0) .. each(count - 1) without the interpreter's lock. It holds the lock `own`, and never waits for `own`
 /// while it holds the interpreter's. Ctrl-C raises KeyboardInterrupt; it is looked for between chunks of calls, at most

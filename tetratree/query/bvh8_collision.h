@@ -17,7 +17,6 @@
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>

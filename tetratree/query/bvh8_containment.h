@@ -9,7 +9,6 @@
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <vector>

@@ -253,11 +253,7 @@ class Bvh8_distance {
                                       image(body, element.corner[2])}};
     return slot.at;
   }
-  kernel::Double_vector image(int body, Index v) const
-  {
-    const kernel::Vector p = tree_[body]->local(v);
-    return (*frame_)(body, {p[0], p[1], p[2]});
-  }
+  kernel::Double_vector image(int body, Index v) const { return (*frame_)(body, tree_[body]->local(v).at); }
 
   /// Compares a pair of elements, and keeps it if it may be the nearest.
   void compare(const Leaf_element& a, const Leaf_element& b)

@@ -222,7 +222,8 @@ class Bvh8_points {
     }
     kernel::Point_gap gap;
     if (element.is_whole_face()) {
-      const double length = kernel::nearest_root(nearest_on(element.face, exact_x())[0].first) * per_unit_,
+      const double length =
+                       kernel::nearest_root(nearest_on(element.face, kernel::exact_point(x_))[0].first) * per_unit_,
                    lost = error_of(length);
       gap = {length - lost, length + lost, length, 0};
     } else {
@@ -247,8 +248,6 @@ class Bvh8_points {
       largest = kernel::maximum(largest, std::abs(corner[0]), std::abs(corner[1]), std::abs(corner[2]));
     return largest;
   }
-
-  Rational_point exact_x() const { return {Rational(x_[0]), Rational(x_[1]), Rational(x_[2])}; }
 
   /// Upper bound of the error of a distance that is computed from the exact square about `x_`. Three coordinates may
   /// have an error each.
@@ -329,9 +328,7 @@ class Bvh8_points {
   Squares nearest_on(Index f, const Rational_point& x) const
   {
     const covering::Covering& covering = tree_->model().covering();
-    const auto exact = [&](Index v) {
-      return Rational_point{Rational(vertex(v)[0]), Rational(vertex(v)[1]), Rational(vertex(v)[2])};
-    };
+    const auto exact = [&](Index v) { return kernel::exact_point(vertex(v)); };
     const auto from = covering.from(f), to = covering.to(f);
     std::vector<kernel::Rational_face::Edge> edges;
     for (std::size_t k = 0; k < from.size(); ++k) edges.push_back({exact(from[k]), exact(to[k])});

@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_QUERY_BVH8_RAYS_H
 
 #include "tetracone/kernel/bound/obb8_ray.h"
+#include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/predicate/ray_face.h"
 #include "tetracone/kernel/predicate/ray_triangle.h"
 #include "tetracone/tetratree/fast/bvh8.h"
@@ -166,7 +167,7 @@ class Bvh8_rays {
       local_ = kernel::Local_ray::of(tree_->scale(), ray.origin, filter_->direction());
       if (!local_) return;
       const auto& d = filter_->direction();
-      per_t_ = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / tree_->scale().unit;
+      per_t_ = std::sqrt(kernel::dot(d, d)) / tree_->scale().unit;
       // The quotient of rounded numbers is as exact as an enclosure's end.
       if (end < no_end) farthest_ = kernel::minimum(farthest_, scaled_end().second * per_t_ - local_->skipped);
     }
@@ -276,10 +277,7 @@ class Bvh8_rays {
     }
     if (const auto loop = tree_->model().covering().from(face); loop.size() == 3) {
       std::array<kernel::Rational_vector, 3> corners;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const covering::Vertex& v = tree_->model().vertices()[loop[k]];
-        corners[k] = {v[0], v[1], v[2]};
-      }
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = kernel::exact_point(tree_->model().vertices()[loop[k]]);
       if (auto t = kernel::ray_crossing(*exact_ray_, corners)) return *std::move(t);
     }
     return kernel::ray_face(*exact_ray_, Exact_face(tree_->model(), face));

@@ -6,7 +6,6 @@
 #include "tetracone/kernel/predicate/face_distance.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <vector>

@@ -22,7 +22,6 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -49,10 +48,7 @@ enum class Span_part { first_half, second_half, whole };
 inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::array<Index, 3>& corner)
 {
   std::array<kernel::Vertex, 3> corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const kernel::Vector at = tree.local(corner[k]);
-    corners[k] = {at[0], at[1], at[2]};
-  }
+  for (std::size_t k = 0; k < 3; ++k) corners[k] = tree.local(corner[k]).at;
   return corners;
 }
 
@@ -408,8 +404,7 @@ class Moving_feature_search {
     std::array<Vertex, 4> p, image;
     for (int k = 0; k < 4; ++k) {
       const int body = body_of(features, k);
-      const kernel::Vector at = tree_[body]->local(features.corner[k]);
-      p[k] = {at[0], at[1], at[2]};
+      p[k] = tree_[body]->local(features.corner[k]).at;
       image[k] = span.direction(maps, body, p[k]);
     }
     const auto side = [&](int from, int to) { return kernel::difference(image[to], image[from]); };

@@ -98,6 +98,7 @@ class Span_reference {
 
  private:
   using Rows = std::array<Vertex, 3>;
+  using Placing = kernel::Motion_span::Maps;  // the weight is not used
 
   static double dot(const Vertex& a, const Vertex& b) { return kernel::dot(a, b); }
 
@@ -136,18 +137,9 @@ class Span_reference {
       least_weight = kernel::minimum(least_weight, span.coefficient(i).weight);
       most_weight = kernel::maximum(most_weight, span.coefficient(i).weight);
     }
-    const auto over_weight = [&](std::size_t i) {
-      const auto& maps = span.coefficient(i);
-      Placing placing{maps.row, maps.offset};
-      for (std::size_t j = 0; j < 3; ++j) {
-        placing.offset[j] /= maps.weight;
-        for (Rows& rows : placing.row)
-          for (double& x : rows[j]) x /= maps.weight;
-      }
-      return placing;
-    };
+    const auto over_weight = [&](std::size_t i) { return kernel::Motion_span::over_weight(span.coefficient(i)); };
     const Placing first = over_weight(0), end = over_weight(last),
-                  middle = sum(sum(first, 0.5, end, 0.5), 1, {rotation_, offset}, -1),
+                  middle = sum(sum(first, 0.5, end, 0.5), 1, {rotation_, offset, 1}, -1),
                   half = sum(end, 0.5, first, -0.5);
     double rest = 0;
     for (std::size_t i = 1; i < last; ++i) {
@@ -162,21 +154,9 @@ class Span_reference {
       sweep_[k] = {seen_from(k, middle), seen_from(k, half), rest_ / scale_[k] * (1 + kernel::few_roundings)};
   }
 
-  /// The maps of both bodies; B's has an offset.
-  struct Placing {
-    std::array<Rows, 2> row;
-    Vertex offset;
-  };
-
   static Placing sum(const Placing& x, double by_x, const Placing& y, double by_y)
   {
-    Placing sum;
-    for (std::size_t j = 0; j < 3; ++j) {
-      sum.offset[j] = by_x * x.offset[j] + by_y * y.offset[j];
-      for (std::size_t k = 0; k < 2; ++k)
-        for (std::size_t l = 0; l < 3; ++l) sum.row[k][j][l] = by_x * x.row[k][j][l] + by_y * y.row[k][j][l];
-    }
-    return sum;
+    return kernel::Motion_span::each_entry([&](double a, double b) { return by_x * a + by_y * b; }, x, y);
   }
 
   /// Upper bound of the relative displacement of two points under these maps.

@@ -12,7 +12,6 @@
 
 #include <map>
 #include <optional>
-#include <utility>
 
 namespace tetracone::tetratree {
 

@@ -13,7 +13,6 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_TETRATREE_RELATION_SOLID_SIDES_H
 #define TETRACONE_TETRATREE_RELATION_SOLID_SIDES_H
 
+#include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/covering/side_windings.h"
 #include "tetracone/covering/union_find.h"
@@ -10,7 +11,6 @@
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -131,30 +131,22 @@ class Solid_sides {
   /// Joins plain triangles to patches, and looks at one point of each patch.
   void see_patches()
   {
-    struct Use {
-      Index low, high, face;
-      bool forward;
-    };
-    std::vector<Use> uses;
+    std::vector<covering::Edge_use> uses;
     for (Index f = 0; f < faces_.size(); ++f)
-      for (std::size_t l = 0; l < polyhedron_->loop_count(f); ++l) {
-        const covering::Loop loop = polyhedron_->loop(f, l);
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-          const Index from = place_[loop[k]], to = place_[loop[k + 1 == loop.size() ? 0 : k + 1]];
-          if (from != to) uses.push_back({kernel::minimum(from, to), kernel::maximum(from, to), f, from < to});
-        }
-      }
-    std::ranges::sort(uses, {}, [](const Use& use) { return std::uint64_t(use.low) << 32 | use.high; });
+      covering::for_each_directed_edge(*polyhedron_, f, [&](Index v, Index w) {
+        const Index from = place_[v], to = place_[w];
+        if (from != to) uses.push_back({kernel::minimum(from, to), kernel::maximum(from, to), f, from < to});
+      });
+    covering::sort_uses(uses, place_.size());
     covering::Union_find patches(faces_.size());
     is_simple_ = std::ranges::all_of(faces_, &Face_sides::is_plain);
-    for (std::size_t k = 0, end = 0; k < uses.size(); k = end) {
-      while (end < uses.size() && uses[end].low == uses[k].low && uses[end].high == uses[k].high) ++end;
-      const Use &one = uses[k], &other = uses[end - 1];
-      if (end - k == 2 && one.forward != other.forward && faces_[one.face].is_plain && faces_[other.face].is_plain)
+    covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
+      const covering::Edge_use &one = edge.front(), &other = edge.back();
+      if (edge.size() == 2 && surplus(edge) == 0 && faces_[one.face].is_plain && faces_[other.face].is_plain)
         patches.join(one.face, other.face);
       else
         is_simple_ = false;
-    }
+    });
     std::vector<bool> is_seen(faces_.size(), false);
     for (Index f = 0; f < faces_.size(); ++f) {
       if (!faces_[f].is_plain) continue;

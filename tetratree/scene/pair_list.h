@@ -5,12 +5,10 @@
 #include "tetracone/tetratree/memory/pair_memory.h"
 #include "tetracone/tetratree/scene/large_pages.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {

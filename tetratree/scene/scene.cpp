@@ -63,51 +63,37 @@ const Frame_statistics& Scene::statistics() const { return data_->statistics(); 
 
 Relation Scene::relation(std::size_t a, std::size_t b)
 {
-  return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
-    return query.collide(pose_a, pose_b).relation();
-  });
+  return data_->ask(a, b, [](Query& query, const auto&... poses) { return query.collide(poses...).relation(); });
 }
 Solid_contact Scene::solid_relation(std::size_t a, std::size_t b)
 {
-  return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
-    return query.solid_relation(pose_a, pose_b);
-  });
+  return data_->ask(a, b, [](Query& query, const auto&... poses) { return query.solid_relation(poses...); });
 }
 Overlap Scene::overlap(std::size_t a, std::size_t b)
 {
-  return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
-    return query.overlap(pose_a, pose_b);
-  });
+  return data_->ask(a, b, [](Query& query, const auto&... poses) { return query.overlap(poses...); });
 }
 Exits Scene::exits(std::size_t a, std::size_t b, const std::array<std::string, 3>& direction)
 {
-  return data_->ask(a, b, [&direction](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
-    return query.exits(pose_a, pose_b, direction);
-  });
+  return data_->ask(a, b,
+                    [&direction](Query& query, const auto&... poses) { return query.exits(poses..., direction); });
 }
 Depth Scene::depth(std::size_t a, std::size_t b, const Depth_options& options)
 {
-  return data_->ask(a, b, [&options](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
-    return query.depth(pose_a, pose_b, options);
-  });
+  return data_->ask(a, b, [&options](Query& query, const auto&... poses) { return query.depth(poses..., options); });
 }
 Contacts Scene::contacts(std::size_t a, std::size_t b)
 {
-  return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
-    return query.contacts(pose_a, pose_b);
-  });
+  return data_->ask(a, b, [](Query& query, const auto&... poses) { return query.contacts(poses...); });
 }
 double Scene::distance(std::size_t a, std::size_t b)
 {
-  return data_->ask(a, b, [](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
-    return query.distance(pose_a, pose_b);
-  });
+  return data_->ask(a, b, [](Query& query, const auto&... poses) { return query.distance(poses...); });
 }
 bool Scene::within(std::size_t a, std::size_t b, double limit)
 {
-  return data_->ask(a, b, [limit](Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b) {
-    return query.within(pose_a, pose_b, kernel::shortest(limit));
-  });
+  return data_->ask(
+      a, b, [limit](Query& query, const auto&... poses) { return query.within(poses..., kernel::shortest(limit)); });
 }
 
 }  // namespace tetracone

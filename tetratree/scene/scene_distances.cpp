@@ -16,9 +16,7 @@ std::vector<Scene_distance> Scene_data::pairs_within(const std::string& limit)
 {
   kernel::require_exact_arithmetic();
   kernel::require_sound_floating_point();
-  const auto number = kernel::parse_number(limit);
-  if (!number)
-    throw Error("scene: limit '" + limit.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
+  const kernel::Rational number = kernel::required_number(limit, "scene: limit ");
   std::vector<Number> bodies;
   for (Number body = 0; body < bodies_.states.size(); ++body)
     if (bodies_.states[body].is_placed()) bodies.push_back(body);
@@ -26,10 +24,10 @@ std::vector<Scene_distance> Scene_data::pairs_within(const std::string& limit)
     throw Error("scene: no body has a pose; expected a body that is placed before pairs are asked for");
   const std::size_t nodes = models().nodes_made();
   statistics_ = {};
-  if (sgn(*number) < 0) return {};
+  if (sgn(number) < 0) return {};
 
   // Bodies at most so far apart have boxes that meet once either has grown by half of it.
-  const double half = std::nextafter(kernel::nearest_double(*number), HUGE_VAL) / 2;
+  const double half = std::nextafter(kernel::nearest_double(number), HUGE_VAL) / 2;
   for (const Number body : bodies)
     models().extent(bodies_.states[body].model);  // makes the models here, since one thread must throw
   std::vector<tetratree::World_box> reached(bodies_.states.size());

@@ -1,51 +1,32 @@
 #include "tetracone/tetratree/door/distance_solver.h"
 
+#include "tetracone/kernel/contact/corner_point.h"
+#include "tetracone/kernel/contact/direction_view.h"
+#include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/query/bvh8_distance.h"
 
 #include <array>
-#include <cmath>
-#include <string>
 
 namespace tetracone::detail {
-namespace {
 
 using covering::Index;
 using kernel::Rational;
-using Exact_coordinates = std::array<Rational, 3>;
+using kernel::Rational_point;
 
-Exact_coordinates image_of(const kernel::Pose& pose, const kernel::Vertex& v)
+Holder holder_in(const Polyhedron& polyhedron, const kernel::Pose& pose, Index f, const Rational_point& x)
 {
-  Exact_coordinates image;
-  for (int i = 0; i < 3; ++i)
-    image[i] = pose.exact(4 * i) * Rational(v[0]) + pose.exact(4 * i + 1) * Rational(v[1]) +
-               pose.exact(4 * i + 2) * Rational(v[2]) + pose.exact(4 * i + 3);
-  return image;
-}
-
-/// True when x is on the segment from p to q; false if p == q.
-bool is_on_segment(const Exact_coordinates& x, const Exact_coordinates& p, const Exact_coordinates& q)
-{
-  const auto d = kernel::difference(q, p), r = kernel::difference(x, p);
-  for (int k = 0; k < 3; ++k)
-    if (d[k] * r[(k + 1) % 3] != d[(k + 1) % 3] * r[k]) return false;
-  const Rational along = r[0] * d[0] + r[1] * d[1] + r[2] * d[2], length = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-  return sgn(length) > 0 && sgn(along) >= 0 && along <= length;
-}
-
-}  // namespace
-
-Holder holder_in(const Polyhedron& polyhedron, const kernel::Pose& pose, Index f, const Exact_coordinates& x)
-{
+  const std::array<Rational, 12> rows = kernel::rows_of(pose);
   Holder holder{Holder::Kind::face, {f}};
   for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
     const auto loop = polyhedron.loop(f, l);
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Index from = loop[k], to = loop[k + 1 == loop.size() ? 0 : k + 1];
-      const Exact_coordinates p = image_of(pose, polyhedron.vertices[from]);
+      const Rational_point p = kernel::image(polyhedron.vertices[from], rows);
       if (p == x) return {Holder::Kind::vertex, {from}};
-      if (holder.kind == Holder::Kind::face && is_on_segment(x, p, image_of(pose, polyhedron.vertices[to])))
+      if (holder.kind == Holder::Kind::face &&
+          kernel::is_inside_segment(x, p, kernel::image(polyhedron.vertices[to], rows)))
         holder = {Holder::Kind::edge, {from, to}};
     }
   }

@@ -10,7 +10,6 @@
 #include "tetracone/tetratree/solver/method_config.h"
 
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

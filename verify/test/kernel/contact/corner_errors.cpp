@@ -32,14 +32,14 @@ BOOST_AUTO_TEST_CASE(rounded_numbers_are_off_by_no_more_than_the_bounds)
           rounded[corner] = errors.rounded(about);
         }
         const auto edge = [&](std::size_t k) {
-          const auto step = detail::step(rounded[0], rounded[k]);
+          const auto step = difference(rounded[k], rounded[0]);
           errors.add_edge(step);
           return step;
         };
         const std::array about_edges = {edge(1), edge(2), edge(3)};
         const Rational_point e = difference(exact[1], exact[0]), n = cross(e, difference(exact[2], exact[0])),
                              other = difference(exact[3], exact[0]);
-        const auto about_n = detail::product(about_edges[0], about_edges[1]);
+        const auto about_n = cross(about_edges[0], about_edges[1]);
         const auto check = [&](std::size_t kind, const Rational& is, double said, double bound) {
           const Rational off = abs(is - Rational(said));
           BOOST_TEST(off <= Rational(bound));
@@ -50,9 +50,9 @@ BOOST_AUTO_TEST_CASE(rounded_numbers_are_off_by_no_more_than_the_bounds)
           check(0, e[k], about_edges[0][k], errors.off_edge());
           check(1, n[k], about_n[k], errors.off_normal());
         }
-        check(2, dot(n, exact[4]), detail::inner(about_n, rounded[4]), errors.off_height());
-        check(3, dot(n, other), detail::inner(about_n, about_edges[2]), errors.off_turn());
-        check(4, dot(e, exact[4]), detail::inner(about_edges[0], rounded[4]), errors.off_edge_height());
+        check(2, dot(n, exact[4]), dot(about_n, rounded[4]), errors.off_height());
+        check(3, dot(n, other), dot(about_n, about_edges[2]), errors.off_turn());
+        check(4, dot(e, exact[4]), dot(about_edges[0], rounded[4]), errors.off_edge_height());
       }
       // The bounds are of the errors' size: each is reached up to a small factor where enclosures are wide.
       if (width >= 0x1p-20)
