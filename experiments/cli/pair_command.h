@@ -20,9 +20,11 @@ struct Answer_options {
 
   /// Returns the number of passes over all questions.
   int passes() const { return time ? repeat : 1; }
+  /// Returns what stands between the numbers of a line.
   const char* blank() const { return csv.empty() ? " " : ","; }
 
-  /// Throws CLI::ValidationError for options that exclude each other, and for a bad number of passes.
+  /// Throws CLI::ValidationError for options that exclude each other, and for a bad number of passes. A command that
+  /// has --json says `may_be_json`, for the message.
   void require(bool may_be_json) const
   {
     if (json && !csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
@@ -59,7 +61,7 @@ inline void add_models(CLI::App& command, std::string& a, std::string& b)
   command.add_option("B", b, "Model")->required();
 }
 
-/// Adds --csv, --json, --time and --repeat, for times without work.
+/// Adds --csv, --json, --time and --repeat. Times are a column alone, without columns of work.
 inline void add_table_options(CLI::App& command, Answer_options& options, const char* json)
 {
   command.add_option("--csv", options.csv, "Write a table to this file");

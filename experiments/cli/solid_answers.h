@@ -25,7 +25,7 @@ inline Cell cell(const std::string& column, const std::string& fraction) { retur
 /// The answer of one pose.
 struct Solid_row {
   std::vector<Cell> cells;
-  double nanoseconds = std::numeric_limits<double>::infinity();
+  double nanoseconds = std::numeric_limits<double>::infinity();  ///< of the fastest pass
 };
 
 /// Returns the answers in the form that the options name. Requires a row.
@@ -57,8 +57,8 @@ inline std::string text_of(const std::vector<Solid_row>& rows, const Solid_optio
   return text;
 }
 
-/// Asks ask(query, pose of A, pose of B) for all poses, and writes the parts that cells(answer) returns. prove(
-/// certificate, pose of A, pose of B, answer) adds a proof.
+/// Asks ask(query, pose of A, pose of B) for all poses, and writes the parts that cells(answer) returns.
+/// prove(certificate, pose of A, pose of B, answer) adds a proof.
 template <class Ask, class Cells, class Prove>
 void answer_all(const Solid_options& options, const Ask& ask, const Cells& cells, const Prove& prove)
 {

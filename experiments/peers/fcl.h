@@ -43,8 +43,8 @@ struct Named_distance_peer {
   Distance_peer (*make)(const Peer_mesh& a, const Peer_mesh& b);
 };
 
-/// Returns the distance peers of this build, with default settings: on trees of oriented boxes with swept spheres
-/// (OBBRSS), and on trees of swept spheres alone (RSS).
+/// Returns the distance peers of this build, with default settings. FCL has two: on trees of oriented boxes with swept
+/// spheres (OBBRSS), and on trees of swept spheres alone (RSS).
 const std::vector<Named_distance_peer>& distance_peers();
 
 /// Another library's first contact of two moving meshes, prepared once. It returns the time in [0, 1] for B's motion
@@ -58,9 +58,9 @@ struct Named_motion_peer {
   Motion_peer (*make)(const Peer_mesh& a, const Peer_mesh& b);
 };
 
-/// Returns the motion peers of this build: continuousCollide on trees of oriented boxes with swept spheres. It is asked
-/// by conservative advancement, whose default setting ends the steps within 1e-4 of the time of contact, and by its
-/// default method, static questions at ten steps.
+/// Returns the motion peers of this build. FCL has continuousCollide on trees of oriented boxes with swept spheres, by
+/// two methods. Conservative advancement by default ends its steps within 1e-4 of the time of contact. The default
+/// method asks static questions at ten steps.
 const std::vector<Named_motion_peer>& motion_peers();
 
 }  // namespace tetracone::experiments

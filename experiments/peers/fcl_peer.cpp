@@ -240,13 +240,15 @@ void add_fcl(Peer_tables& tables)
   tables.depths.push_back({"FCL own", "FCL, collide of two Convex with contact: its own GJK solver, and EPA",
                            make_peer<Depth_peer, Fcl_depth, fcl::GST_INDEP>});
   tables.scenes.push_back({"FCL dynamic AABB tree", make_peer<Scene_peer, Fcl_scene>});
-  tables.distances = {{"fcl OBBRSS", distance<fcl::OBBRSSd>}, {"fcl RSS", distance<fcl::RSSd>}};
-  tables.motions = {{"FCL advancement",
-                     "continuousCollide of surfaces by conservative advancement, until within 1e-4 of the time; "
-                     "translations of B alone are asked",
-                     motion<fcl::CCDC_CONSERVATIVE_ADVANCEMENT>},
-                    {"FCL steps", "continuousCollide of surfaces by ten steps; translations of B alone are asked",
-                     motion<fcl::CCDC_NAIVE>}};
+  tables.distances.push_back({"fcl OBBRSS", distance<fcl::OBBRSSd>});
+  tables.distances.push_back({"fcl RSS", distance<fcl::RSSd>});
+  tables.motions.push_back({"FCL advancement",
+                            "continuousCollide of surfaces by conservative advancement, until within 1e-4 of the "
+                            "time; translations of B alone are asked",
+                            motion<fcl::CCDC_CONSERVATIVE_ADVANCEMENT>});
+  tables.motions.push_back({"FCL steps",
+                            "continuousCollide of surfaces by ten steps; translations of B alone are asked",
+                            motion<fcl::CCDC_NAIVE>});
 }
 
 std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b)

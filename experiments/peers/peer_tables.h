@@ -5,6 +5,9 @@
 #include "experiments/peers/fcl.h"
 #include "experiments/peers/scene_peer.h"
 
+#include <memory>
+#include <vector>
+
 namespace tetracone::experiments {
 
 /// The methods of other libraries, by what is asked of them.

@@ -16,7 +16,7 @@ struct Extent {
   double longest_side() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
 };
 
-/// Requires a vertex.
+/// Returns the extent of all vertices, whether faces use them or not. Requires a vertex.
 inline Extent extent_of(const covering::Polyhedron& body)
 {
   Extent extent;

@@ -140,8 +140,8 @@ struct Hull_pair {
 };
 
 /// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Returns
-/// nothing where no such direction exists, or 40 steps find none. Requires rounded points, in whose units `distance`
-/// is, and one recession for every A. The recession does not lead towards B along the direction. Source: E. G. Gilbert,
+/// nothing where no such direction exists, or 40 steps find none. Requires a pair, rounded points, in whose units
+/// `distance` is, and the same recession for all A. The recession does not lead towards B along the direction. Source: E. G. Gilbert,
 /// An iterative procedure for computing the minimum of a quadratic form on a convex set, SIAM J. Control 4 (1966).
 inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair> pairs, double distance)
 {

@@ -16,7 +16,8 @@ namespace tetracone::tetratree {
 /// A placed body, and a point x in space to which segments lead.
 class Approach {
  public:
-  /// `holder` is the body. The denominators of `more` are those that points beside x may have.
+  /// `holder` is the body. The points from which segments lead are binary fractions, once multiplied by the
+  /// denominators of x and of `more`.
   Approach(const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
            const kernel::Rational_point& more = {})
       : pair_(at), holder_(holder), x_(x)
@@ -28,7 +29,7 @@ class Approach {
   }
 
   /// Appends y, and the segment from it to x, which meets the surface at its end x at the earliest. False where y is
-  /// not inside, or not outside as `is_inside` says, or the segment is not free.
+  /// not on the side that `is_inside` names, or the segment is not free.
   bool operator()(std::string& text, const kernel::Rational_point& y, bool is_inside)
   {
     if (y == x_) return false;
@@ -122,7 +123,7 @@ struct Crossing_before {
   kernel::Rational length;
 };
 
-/// Returns the ends of the segment that two triangles share. Nothing where they do not go through one another.
+/// Returns the ends of the segment that two triangles of different planes share. Nothing where they share less.
 inline std::optional<std::array<kernel::Rational_point, 2>> shared_segment(
     const std::array<Rational_triangle, 2>& triangle)
 {

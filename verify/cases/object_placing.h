@@ -38,7 +38,7 @@ Pose rational_rotation(Random& random, int size);
 /// The rounded rotation of a random quaternion.
 Pose double_rotation(Random& random);
 
-/// A unimodular integer shear, x += s y for two pairs of axes, entries up to `size`; and its inverse.
+/// A product of two integer shears x += s y with |s| <= `size`, which is unimodular; and its inverse.
 std::array<Pose, 2> shear_and_inverse(Random& random, int size);
 
 /// x -> diag(2^exponents) x. Requires powers with a finite nearest double.
@@ -52,7 +52,8 @@ Pose fraction_map(Random& random, int exponent);
 /// a translation. It is exact, and of rationals if the turn is.
 Pose wild_map(Random& random, int size);
 
-/// The map that is applied to both bodies of a case last. All except `rounded` keep a contact exactly.
+/// The map that is applied to both bodies of a case last. `motion` returns `rounded` as an exact rotation, and `placed`
+/// rounds the poses afterwards. All others keep a contact exactly.
 enum class Motion { identity, translation, permutation, rotation, similarity, shear, rounded };
 Motion exact_motion(Random& random);
 Pose motion(Random& random, Motion kind);
@@ -80,18 +81,18 @@ Touching vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pos
 /// The extreme vertices of both along a random direction.
 Touching vertex_on_vertex(Random& random, const Body& a, const Body& b, const Pose& turn);
 /// Two edges that cross at parameters of `bits` bits. They lie on the hulls, unless dozens of tries find no such edges.
-/// Requires a similarity as `turn`.
+/// Requires a similarity as `turn`, and two bits or more.
 Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits);
-/// One of these, or B's lowest face, edge or vertex on A's face.
+/// One of these. With a vertex on A's face, B's lowest edge or face may lie on it.
 Touching any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn);
 /// Any of these with bodies of any kind.
 Touching any_contact(Random& random, const Pose& turn);
 
-/// A point inside the triangle, at barycentric coordinates of `bits` bits.
+/// A point inside the triangle, at barycentric coordinates of `bits` bits. Requires two bits or more.
 Exact_vector point_inside(Random& random, const Shape& shape, const Face_triangle& triangle, int bits);
 Exact_vector point_on(const Shape& shape, const Face_triangle& triangle, double s, double t);
 
-/// Returns mostly 0, else a gap or a penetration of 2^-10 to 2^-60.
+/// Returns 0 half of the time, else a gap or a penetration of 2^-10 to 2^-60.
 Rational any_gap(Random& random);
 
 /// Places A at the identity and B at `relative`, then moves both, and perhaps exchanges them. No answer is known.
@@ -110,7 +111,8 @@ Object_case placed(Random& random, const Touching& contact);
 Object_case with_answer(Object_case c, std::optional<bool> surface, std::optional<bool> solid);
 Object_case with_answer(Object_case c, bool both);
 
-/// Returns the case with all poses rounded to doubles. If that changes a pose, no answer is known any more.
+/// Returns the case with all poses rounded to doubles. If that changes a pose, `surface` and `solid` are not known
+/// any more.
 Object_case rounded_poses(Object_case c);
 
 }  // namespace tetracone::verify::object_family

@@ -69,7 +69,7 @@ inline Vertex on_edge(Random& random, const Probed_body& body, int bits)
   return nearest(between(corners[0], corners[1], Rational(share(random, bits))));
 }
 
-/// A point spanned by three consecutive corners: inside a triangle, and in the plane of any face.
+/// A point spanned by three consecutive corners: inside a triangle or on its edge, and in the plane of any face.
 inline Vertex on_face(Random& random, const Probed_body& body, int bits)
 {
   const auto corners = any_corners(random, body);

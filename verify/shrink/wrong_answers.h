@@ -23,7 +23,7 @@ std::vector<Wrong> wrong_answers(const Predicate_case& c, Predicate predicate, i
 std::string contact_of(const Object_case& c);
 
 /// Returns a case file of the case with its truth, all wrong subjects, and the cause. The cause begins with `subject`,
-/// and names the stage to blame if it is one of our rounding trees.
+/// names the stage to blame if it is one of our rounding trees, and ends with `contact_of`.
 Case_file case_file_of(const Object_case& c, kernel::Question question, const Object_subject& subject, Outcome answer);
 /// Returns a case file for a list of features. It asks for the surfaces, and the cause gives the numbers of missed and
 /// invented pairs.

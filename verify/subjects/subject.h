@@ -36,7 +36,7 @@ struct Subject {
   Kernel_name kernel = Kernel_name::adaptive;
   kernel::Tolerance tolerance;  ///< of double_eps
   Method method = Method::tree;
-  bool remembers = false;    ///< Method::tree only: keeps from pose to pose the features that decided the last one
+  bool remembers = false;    ///< Method::tree only: keeps from pose to pose what decided the last one
   bool whole_faces = false;  ///< Method::tree only: leaves are original faces, as of a body without `repair`
 
   /// Returns the subject for the kernel's name, as `parse_kernel` reads it; nothing for an unknown name.
@@ -87,7 +87,7 @@ class Prepared_pair {
 /// Returns two polyhedra prepared for a subject.
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
                                        const covering::Polyhedron& b);
-/// Returns two bodies prepared for a subject, from the trees that they already have.
+/// Returns two bodies prepared for a subject, from the trees that they already have; `whole_faces` is not looked at.
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const Body& a, const Body& b);
 
 }  // namespace tetracone::verify

@@ -14,7 +14,7 @@ namespace tetracone::verify::texts {
 
 inline const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
 
-/// A tetrahedron in each text format that is read by vertices and faces.
+/// A tetrahedron in two formats, and their parts.
 inline const std::string tetrahedron_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 inline const std::string tetrahedron_faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 inline const std::string tetrahedron_off = "OFF\n4 4 6\n" + tetrahedron_vertices + tetrahedron_faces;
@@ -29,12 +29,14 @@ inline std::string ascii_ply(const std::string& coordinate, const std::string& i
          " vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 " + last + "\n" + tetrahedron_faces;
 }
 
+/// Returns the model that a file of this suffix and text is read as.
 inline covering::Read_model read_text(const std::string& suffix, const std::string& text)
 {
   const Temporary_file file("model" + suffix, text);
   return covering::read_model(file.path());
 }
 
+/// Returns the message with which the text is refused.
 inline std::string error_of(const std::string& suffix, const std::string& text)
 {
   return verify::error_of(Temporary_file("model" + suffix, text), [](const auto& path) { covering::read_model(path); });

@@ -44,7 +44,7 @@ inline void set(kernel::Obb8& boxes, int lane, const kernel::Vector& centre, con
 
 inline kernel::Matrix random_axes(Random& random) { return kernel::detail::axes_from(vector(random), vector(random)); }
 
-/// Returns extents below 1. In one call of three, one of them is 0, as for a triangle.
+/// Returns extents below 1. In about one call of three, one of them is 0, as for a triangle.
 inline kernel::Vector random_extents(Random& random)
 {
   kernel::Vector e(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
@@ -189,7 +189,8 @@ inline void set_near(kernel::Obb8& boxes, Random& random, double size)
   boxes.lane_count = int(kernel::lanes);
 }
 
-/// Sets a lane to a random box of at most this size. With `apex`, it is a triangle's box, and its apex is chosen too.
+/// Sets a lane to a random box of at most this size. With `apex`, it is a triangle's box, and its apex is chosen too. Sets the
+/// node's origin, too.
 inline void set_single(kernel::Obb8& boxes, int lane, Random& random, double size, float* apex)
 {
   kernel::Vector extent = size * kernel::Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));

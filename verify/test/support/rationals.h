@@ -87,12 +87,6 @@ inline std::array<Vector, 3> images(const Pose& pose, const std::array<Vertex, 3
   return {image(pose, exactly(t[0])), image(pose, exactly(t[1])), image(pose, exactly(t[2]))};
 }
 
-/// True when p is on the closed segment ab.
-inline bool is_on_segment(const Vector& p, const Vector& a, const Vector& b)
-{
-  return is_zero(outer(minus(b, a), minus(p, a))) && inner(minus(p, a), minus(p, b)) <= 0;
-}
-
 /// Returns a normal of the face's plane, of any sign; zero when its corners are on one line.
 inline Vector normal(const Polyhedron& polyhedron, Index f)
 {

@@ -73,7 +73,7 @@ inline Polyhedron turn_some(const Polyhedron& body, std::uint64_t faces)
   return result;
 }
 
-/// Returns the one face of these loops.
+/// Returns a body of one face, of these loops.
 inline Polyhedron one_face(const std::vector<Vertex>& vertices, const std::vector<std::vector<Index>>& loops)
 {
   Polyhedron result;
@@ -82,7 +82,7 @@ inline Polyhedron one_face(const std::vector<Vertex>& vertices, const std::vecto
   return result;
 }
 
-/// Returns the one face of these loops in the plane z = x + 2 y.
+/// Returns a body of one face, of these loops in the plane z = x + 2 y.
 inline Polyhedron slanted_face(const std::vector<std::array<double, 2>>& corners,
                                const std::vector<std::vector<Index>>& loops)
 {
@@ -120,7 +120,7 @@ inline Polyhedron box(const Vertex& low, const Vertex& high)
 inline Polyhedron unit_cube() { return box({0, 0, 0}, {1, 1, 1}); }
 inline Polyhedron cube(double half) { return box({-half, -half, -half}, {half, half, half}); }
 
-/// Returns every loop as a fan of triangles. Requires convex faces without holes.
+/// Returns every face as a fan of triangles. Requires convex faces without holes.
 inline Polyhedron triangulated(const Polyhedron& body)
 {
   Polyhedron result;

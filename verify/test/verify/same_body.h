@@ -8,7 +8,7 @@
 
 namespace tetracone::verify {
 
-/// True when two bodies have equal vertices, and faces of equal loops, in one order.
+/// True when two bodies have equal vertices, and faces of equal loops, in the same order.
 inline bool same(const covering::Polyhedron& a, const covering::Polyhedron& b)
 {
   if (a.vertices != b.vertices || a.face_count() != b.face_count()) return false;

@@ -4,5 +4,5 @@ refused() {
   says=$1; shift
   error=$(tetracone "$@" 2>&1 >printed); status=$?
   case $error in *"$says"*) ;; *) status=other ;; esac
-  if [ "$status" != 2 ] || [ -s printed ] || [ "$(printf '%s\n' "$error" | wc -l)" != 1 ]; then echo "$@: $error"; fi
+  if [ "$status" != 2 ] || [ -s printed ] || [ ${#error} -le 9 ] || [ "$(printf '%s\n' "$error" | wc -l)" != 1 ]; then echo "$@: $error"; fi
 }

@@ -3,9 +3,9 @@
 //   $ A command of the shell, in a temporary folder of the transcript.
 //   > More lines of it.
 //   The lines of its standard output. Three dots are any text, and a line of them is any lines.
-//   [2] Its status, and a part of its standard error. Where the status is 2, standard error is one line.
+//   [2] Its status, which is 0 without this line, and a part of its standard error; that of status 2 is one line.
 //
-// Lines that begin with # are comments. The shell knows the program as tetracone, and the paths $program, $cube,
+// Lines that begin with # are comments. Empty lines have no meaning; dots stand for output that would look like either. The shell knows the program as tetracone, and the paths $program, $cube,
 // $models, $source and $python. The function of refused.sh prints words that the program does not refuse.
 
 #include "verify/test/support/program.h"
@@ -19,7 +19,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +32,7 @@ namespace {
 struct Step {
   int line;
   std::string command, out;
-  std::optional<int> status;
+  int status;
   std::string error;
 };
 
@@ -45,7 +44,7 @@ std::vector<Step> steps_of(const fs::path& transcript)
   for (int line = 1; std::getline(in, text); ++line) {
     if (text.empty() || text.starts_with("#")) continue;
     if (text.starts_with("$ ")) {
-      steps.push_back({line, text.substr(2) + "\n", "", {}, ""});
+      steps.push_back({line, text.substr(2) + "\n", "", 0, ""});
       continue;
     }
     BOOST_TEST_REQUIRE(!steps.empty(), transcript << ":" << line);
@@ -121,7 +120,7 @@ BOOST_AUTO_TEST_CASE(commands_print_what_their_transcripts_say)
       const Run r = run_in(folder.path(), step.command);
       BOOST_TEST_INFO_SCOPE(entry.path().filename().native() << ":" << step.line << ": " << step.command << r.error);
       BOOST_TEST(matches(r.out, step.out), r.out);
-      if (step.status) BOOST_TEST(r.status == *step.status);
+      BOOST_TEST(r.status == step.status);
       if (step.status == 2) BOOST_TEST((r.error.size() > 10 && r.error.find('\n') + 1 == r.error.size()));
       BOOST_TEST(contains(r.error, step.error));
       ++count;

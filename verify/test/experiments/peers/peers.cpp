@@ -48,7 +48,7 @@ const Object_case& cubes()
   return cubes;
 }
 
-/// The peer's name, or a word that says it is not in this build.
+/// True when the peer is in this build; else a message says that it is skipped.
 bool is_built(const std::string& name)
 {
   for (const auto& peer : experiments::peers())

@@ -13,6 +13,7 @@ BOOST_AUTO_TEST_SUITE(test_subject)
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
 using Random = tetracone::verify::scenes::Random;
+using tetracone::kernel::Question;
 using tetracone::tetratree::Query_statistics;
 
 namespace {
