@@ -44,8 +44,8 @@ Table& table()
 /// A checker as a process that proves certificates, one after the other.
 class Checker {
  public:
-  /// Proves the certificate about `of` to which add(certificate) adds, and counts its cost, with the answer's, as that
-  /// of a kind of answer, which add() may find. An answer without a proof is counted. Throws std::runtime_error, with
+  /// Proves the certificate about `of` to which add(certificate) adds. It counts its cost, with the answer's, for a
+  /// kind of answer, which add() may find. An answer without a proof is counted. Throws std::runtime_error, with
   /// the checker's line, where the certificate is refused.
   template <class Add, class... Of>
   void prove(const std::string& kind, const Add& add, const Of&... of)

@@ -14,9 +14,11 @@
 #include <optional>
 #include <utility>
 
-/// The commands of the program, defined in NAME_command.cpp or beside a related command; and the parts of the standard
-/// library that nearly all of them use. A command throws covering::Input_error for bad input and for a file that cannot
-/// be written. It throws CLI::ValidationError for words that it does not know or that exclude each other.
+/// The commands of the program, defined in NAME_command.cpp or beside a related command. The header also has the parts
+/// of the standard library that nearly all of them use.
+///
+/// A command throws covering::Input_error for bad input and for a file that cannot be written. It throws
+/// CLI::ValidationError for words that it does not know or that exclude each other.
 namespace tetracone::experiments {
 
 /// `check MODEL...` describes each model. Throws CLI::RuntimeError(1) when one is no closed polyhedron, and with

@@ -20,8 +20,9 @@ class Command_process {
   /// What becomes of its standard error: its last line is kept, or all of it goes to our own standard error.
   enum class Errors { kept, shown };
 
-  /// Starts the program at the path `words[0]` with these arguments; PATH is not searched. Throws std::runtime_error when no process can be started. If
-  /// there is no such program, the child ends with status 127.
+  /// Starts the program at the path `words[0]` with these arguments; PATH is not searched.
+  /// Throws std::runtime_error when no process can be started. If there is no such program, the child ends with status
+  /// 127.
   explicit Command_process(const std::vector<std::string>& words, Errors errors = Errors::kept);
   ~Command_process();
   Command_process(const Command_process&) = delete;

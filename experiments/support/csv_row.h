@@ -14,10 +14,7 @@ namespace tetracone::experiments {
 /// A row of a CSV with its header: each field has a name. Numbers are written with four digits, counts in full.
 class Csv_row {
  public:
-  Csv_row& add(const std::string& name, const std::string& value)
-  {
-    return add_raw(name, field(value));
-  }
+  Csv_row& add(const std::string& name, const std::string& value) { return add_raw(name, field(value)); }
   Csv_row& add(const std::string& name, const char* value) { return add(name, std::string(value)); }
   Csv_row& add(const std::string& name, std::integral auto value) { return add(name, std::to_string(value)); }
   Csv_row& add(const std::string& name, double value)

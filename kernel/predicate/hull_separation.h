@@ -23,6 +23,13 @@ namespace tetracone::kernel {
 
 using Rounded_vector = std::array<double, 3>;
 
+/// Upper bound of the error of a rounded coordinate of an image, relative to the sum of its terms' absolute values. An
+/// entry and its product are rounded once, and the first product by three sums: 5 of 2^-53, and as much for the sum.
+inline constexpr double image_rounding = 0x1p-50;
+/// Upper bound of what underflow adds for corners of coordinates up to 1. Three entries and three products, and one
+/// more entry, are off by 2^-1075 each; larger coordinates multiply the entries' part.
+inline constexpr double image_underflow = 0x1p-1072;
+
 /// Exact points, and doubles near them. All doubles are multiplied by one common factor, so that they are finite.
 ///
 /// The points are given, or are the images of points under an affine map. Images are multiplied out when they are asked
@@ -81,9 +88,6 @@ class Hull_points {
  private:
   void round_images()
   {
-    // An entry and a product are rounded once, and the first product by three sums: 5 of 2^-53, of the sum of absolute
-    // values, which is rounded as often. An entry that underflows is off by 2^-1075, whatever it is multiplied by.
-    constexpr double rounding = 0x1p-50, underflow = 0x1p-1072;
     std::array<double, 12> m;
     for (std::size_t k = 0; k < 12; ++k) m[k] = Exact_number((*map_)[k] * *factor_).to_double();
     double most = 0, farthest = 1;
@@ -96,7 +100,7 @@ class Hull_points {
       }
       farthest = maximum(farthest, maximum(std::abs(x), std::abs(y), std::abs(z)));
     }
-    error_ = rounding * most + underflow * farthest;
+    error_ = image_rounding * most + image_underflow * farthest;
   }
 
   std::size_t size_ = 0;
@@ -141,8 +145,9 @@ struct Hull_pair {
 
 /// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Returns
 /// nothing where no such direction exists, or 40 steps find none. Requires a pair, rounded points, in whose units
-/// `distance` is, and the same recession for all A. The recession does not lead towards B along the direction. Source: E. G. Gilbert,
-/// An iterative procedure for computing the minimum of a quadratic form on a convex set, SIAM J. Control 4 (1966).
+/// `distance` is, and the same recession for all A. The recession does not lead towards B along the direction. Source:
+/// E. G. Gilbert, An iterative procedure for computing the minimum of a quadratic form on a convex set, SIAM J. Control
+/// 4 (1966).
 inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair> pairs, double distance)
 {
   const auto middle = [](const Hull& hull) {

@@ -189,8 +189,8 @@ inline void set_near(kernel::Obb8& boxes, Random& random, double size)
   boxes.lane_count = int(kernel::lanes);
 }
 
-/// Sets a lane to a random box of at most this size. With `apex`, it is a triangle's box, and its apex is chosen too. Sets the
-/// node's origin, too.
+/// Sets a lane to a random box of at most this size. With `apex`, it is a triangle's box, and its apex is chosen too.
+/// Sets the node's origin, too.
 inline void set_single(kernel::Obb8& boxes, int lane, Random& random, double size, float* apex)
 {
   kernel::Vector extent = size * kernel::Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));

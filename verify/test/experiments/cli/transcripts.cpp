@@ -5,8 +5,9 @@
 //   The lines of its standard output. Three dots are any text, and a line of them is any lines.
 //   [2] Its status, which is 0 without this line, and a part of its standard error; that of status 2 is one line.
 //
-// Lines that begin with # are comments. Empty lines have no meaning; dots stand for output that would look like either. The shell knows the program as tetracone, and the paths $program, $cube,
-// $models, $source and $python. The function of refused.sh prints words that the program does not refuse.
+// Lines that begin with # are comments. Empty lines have no meaning; dots stand for output that would look like either.
+// The shell knows the program as tetracone, and the paths $program, $cube, $models, $source and $python. The function
+// of refused.sh prints words that the program does not refuse.
 
 #include "verify/test/support/program.h"
 

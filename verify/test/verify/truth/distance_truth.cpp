@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(roots_are_rounded_to_the_nearest_double)
   const auto check = [](const Rational& square) {
     const double x = kernel::nearest_root(square);
     BOOST_TEST(is_nearest_root(x, square));
-    // Of two nearest doubles it is the even one.
+    // If two doubles are nearest, it is the even one.
     if (is_nearest_root(std::nextafter(x, 0.0), square) || is_nearest_root(std::nextafter(x, HUGE_VAL), square))
       BOOST_TEST(std::remainder(std::ldexp(x, 52 - std::ilogb(x)), 2) == 0);
   };
