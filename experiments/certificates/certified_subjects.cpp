@@ -163,9 +163,9 @@ class Certified_objects : public verify::Running_subject {
   Told<verify::Exit_answer> exits(const Object_case& c, const std::array<kernel::Rational, 3>& direction) override
   {
     auto told = uncertified_->exits(c, direction);
-    const auto& [first, last] = told.answer.exits;
     certify(c, told, "exit", [&](Certificate& certificate) {
       const auto text = [](const kernel::Rational& x) { return kernel::to_string(x); };
+      const auto& [first, last] = told.answer.exits;
       certificate.exits(c.pose_a, c.pose_b, {text(direction[0]), text(direction[1]), text(direction[2])},
                         {told.answer.first, told.answer.last, text(first), text(last)});
     });
