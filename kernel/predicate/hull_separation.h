@@ -76,17 +76,16 @@ class Hull_points {
     factor_ = by;
     rounded_.resize(size_);
     largest_ = error_ = 0;
-    if (map_)
-      round_images();
-    else
+    if (!map_ || !round_images())
       for (std::size_t v = 0; v < size_; ++v)
-        for (std::size_t k = 0; k < 3; ++k) rounded_[v][k] = Exact_number(made_[v][k] * by).to_double();
+        for (std::size_t k = 0; k < 3; ++k) rounded_[v][k] = Exact_number(exact(v)[k] * by).to_double();
     for (const Rounded_vector& x : rounded_)
       largest_ = maximum(largest_, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]));
   }
 
  private:
-  void round_images()
+  /// Multiplies out in doubles. False where terms overflow, as large entries by small coordinates may.
+  bool round_images()
   {
     std::array<double, 12> m;
     for (std::size_t k = 0; k < 12; ++k) m[k] = Exact_number((*map_)[k] * *factor_).to_double();
@@ -100,7 +99,9 @@ class Hull_points {
       }
       farthest = maximum(farthest, maximum(std::abs(x), std::abs(y), std::abs(z)));
     }
+    if (!(most < HUGE_VAL)) return false;
     error_ = image_rounding * most + image_underflow * farthest;
+    return true;
   }
 
   std::size_t size_ = 0;
