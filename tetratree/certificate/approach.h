@@ -192,16 +192,21 @@ inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const 
     // Vectors across the segment in both triangles, as long as it is.
     const Rational_point way = kernel::difference((*segment)[1], (*segment)[0]);
     std::array<kernel::Rounded_vector, 2> across;
+    int inside = 0;  // the side that is inside of both where normals lead outwards; it is tried first
     for (std::size_t k = 0; k < 2; ++k) {
-      const Rational_triangle& t = crossing.triangle[k];
-      const Rational_point exact_across =
-          kernel::cross(kernel::cross(kernel::difference(t[1], t[0]), kernel::difference(t[2], t[0])), way);
+      const auto normal = [&](std::size_t body) {
+        const Rational_triangle& t = crossing.triangle[body];
+        return kernel::cross(kernel::difference(t[1], t[0]), kernel::difference(t[2], t[0]));
+      };
+      const Rational_point exact_across = kernel::cross(normal(k), way);
+      if (kernel::dot(normal(1 - k), exact_across) < 0) inside |= 1 << k;
       const Rational by = longest_part(way) / longest_part(exact_across);
       for (std::size_t c = 0; c < 3; ++c) across[k][c] = Rational(exact_across[c] * by).get_d();
     }
     Approach of_a(pair, 0, x, along), of_b(pair, 1, x, along);
     for (const double share : {0x1p-2, 0x1p-5})
-      for (const int side : {0, 1, 2, 3}) {
+      for (const int other : {0, 1, 2, 3}) {
+        const int side = inside ^ other;
         const double size = share * longest_part(way).get_d();
         if (!(size > 0x1p-900)) continue;
         const Rational unit = std::ldexp(1.0, std::ilogb(size) - 10);

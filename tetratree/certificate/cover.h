@@ -25,18 +25,12 @@ void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign,
   constexpr double least = 0x1p-100;    // of m: products then underflow by less than the slack
   constexpr double rounding = 0x1p-48;  // of two products of three numbers that are rounded, each to 2^-52
   const kernel::Rounded_vector way = {sign * m[0].to_double(), sign * m[1].to_double(), sign * m[2].to_double()};
-  const kernel::Rounded_vector size = {std::abs(way[0]), std::abs(way[1]), std::abs(way[2])};
-  double last = -HUGE_VAL, largest = 0;
   const kernel::Hull_points& points = *hull.points;
-  for (const std::uint32_t v : hull.corners) {
-    const kernel::Rounded_vector& x = points.rounded(v);
-    last = kernel::maximum(last, kernel::dot(way, x));
-    largest = kernel::maximum(
-        largest, kernel::dot(size, kernel::Rounded_vector{std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}));
-  }
-  const bool is_rounded = kernel::maximum(size[0], size[1], size[2]) >= least;
-  const double off = rounding * largest + 2 * points.error() * (1 + rounding) * (size[0] + size[1] + size[2]);
-  const double behind = is_rounded ? last - off : -HUGE_VAL;
+  double last = -HUGE_VAL;
+  for (const std::uint32_t v : hull.corners) last = kernel::maximum(last, kernel::dot(way, points.rounded(v)));
+  const double size = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
+  const double off = (rounding * points.largest() + 4 * points.error()) * size;
+  const double behind = size >= least ? last - off : -HUGE_VAL;
   for (const std::uint32_t v : hull.corners)
     if (!(kernel::dot(way, points.rounded(v)) < behind)) each(v);
 }
