@@ -74,9 +74,7 @@ for line in sys.stdin:
     elif mode == "declines": put({"why": "no idea", "answer": None, "ask": m["ask"]})
     elif x == 2 or mode in ("held", "forgetful", "banner", "once"): put({"ask": m["ask"], "answer": None})
     elif mode == "column": put({"ask": m["ask"], "answer": int(all(-1 <= a - b <= 1 for a, b in zip(m["pose_b"][9:], m["pose_a"][9:])))})
-    elif mode == "twice":
-        put({"ask": m["ask"], "answer": None})
-        put({"ask": m["ask"], "answer": None})
+    elif mode == "twice": print("\n".join([json.dumps({"ask": m["ask"], "answer": None})] * 2), flush=True)
     elif x == 9: put({"ask": m["ask"], "answer": 1, "ns": 1234.5})
     elif x == 10: put({"ask": m["ask"], "answer": 1, "ns": "soon"})
     else: put({"ask": m["ask"], "answer": 1 if x in (1, "1/3") else 0})
