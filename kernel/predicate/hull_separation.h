@@ -25,6 +25,7 @@ using Rounded_vector = std::array<double, 3>;
 
 /// Upper bound of the error of a rounded coordinate of an image, relative to the sum of its terms' absolute values. An
 /// entry and its product are rounded once, and the first product by three sums: 5 of 2^-53, and as much for the sum.
+/// verify/test/kernel/predicate/hull_separation.cpp compares both bounds with exact images.
 inline constexpr double image_rounding = 0x1p-50;
 /// Upper bound of what underflow adds for corners of coordinates up to 1. Three entries and three products, and one
 /// more entry, are off by 2^-1075 each; larger coordinates multiply the entries' part.

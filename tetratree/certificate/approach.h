@@ -1,6 +1,7 @@
 #ifndef TETRACONE_TETRATREE_CERTIFICATE_APPROACH_H
 #define TETRACONE_TETRATREE_CERTIFICATE_APPROACH_H
 
+#include "tetracone/kernel/contact/rational_contact.h"
 #include "tetracone/tetratree/certificate/ways.h"
 
 #include <array>
@@ -62,8 +63,8 @@ class Approach {
 inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {
-  Placed_pair pair = at;
-  const double size = middle_of(pair, holder).second, length = along ? longest_part(*along).get_d() : 1;
+  Random_integers random = at.random;
+  const double size = middle_of(at, holder).second, length = along ? longest_part(*along).get_d() : 1;
   Approach approach(at, holder, x, along.value_or(kernel::Rational_point{}));
   constexpr int most_points = 192, points_of_a_size = 8;
   for (int n = 0; n < most_points; ++n) {
@@ -72,7 +73,7 @@ inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t h
     if (along && n % points_of_a_size > 0) continue;
     for (std::size_t c = 0; c < 3; ++c)
       y[c] += along ? kernel::Rational(kernel::Rational(std::exp2(std::rint(std::log2(far / length)))) * (*along)[c])
-                    : kernel::Rational(far * pair.random(10) * 0x1p-10);
+                    : kernel::Rational(far * random(10) * 0x1p-10);
     if (approach(text, y, is_inside)) return true;
   }
   return false;
@@ -114,92 +115,50 @@ inline std::vector<kernel::Rational_point> points_near(const Placed_pair& pair, 
   return points;
 }
 
-using Rational_triangle = std::array<kernel::Rational_point, 3>;
-
-/// A triangle of A and one of B, A at an exit. They go through one another when A is a little way before it, and no
-/// farther from it than `length` times the direction.
+/// A face of A and one of B, A at an exit. They go through one another when A is a little way before it, and no farther
+/// from it than `length` times the direction.
 struct Crossing_before {
-  std::array<Rational_triangle, 2> triangle;
+  std::array<kernel::Rational_face, 2> face;
   kernel::Rational length;
 };
 
-/// Returns the ends of the segment that two triangles of different planes share. Nothing where they share less.
-inline std::optional<std::array<kernel::Rational_point, 2>> shared_segment(
-    const std::array<Rational_triangle, 2>& triangle)
-{
-  using kernel::Rational;
-  using kernel::Rational_point;
-  const auto normal = [](const Rational_triangle& t) {
-    return kernel::cross(kernel::difference(t[1], t[0]), kernel::difference(t[2], t[0]));
-  };
-  const std::array<Rational_point, 2> normals = {normal(triangle[0]), normal(triangle[1])};
-  const Rational_point way = kernel::cross(normals[0], normals[1]);
-  std::array<std::optional<Rational_point>, 2> end;  // the last of the first points, and the first of the last ones
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Rational_triangle &t = triangle[k], &other = triangle[1 - k];
-    std::array<std::optional<Rational_point>, 2> of_this;
-    const auto keep = [&](const Rational_point& x) {
-      if (!of_this[0] || kernel::dot(way, x) < kernel::dot(way, *of_this[0])) of_this[0] = x;
-      if (!of_this[1] || kernel::dot(way, x) > kernel::dot(way, *of_this[1])) of_this[1] = x;
-    };
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Rational_point &p = t[c], &q = t[(c + 1) % 3];
-      const Rational at_p = kernel::dot(normals[1 - k], kernel::difference(p, other[0])),
-                     at_q = kernel::dot(normals[1 - k], kernel::difference(q, other[0]));
-      if (at_p == 0) keep(p);
-      if (sgn(at_p) * sgn(at_q) >= 0) continue;
-      const Rational share = at_p / (at_p - at_q);
-      Rational_point x;
-      for (std::size_t i = 0; i < 3; ++i) x[i] = p[i] + share * (q[i] - p[i]);
-      keep(x);
-    }
-    if (!of_this[0]) return std::nullopt;
-    if (!end[0] || kernel::dot(way, *of_this[0]) > kernel::dot(way, *end[0])) end[0] = of_this[0];
-    if (!end[1] || kernel::dot(way, *of_this[1]) < kernel::dot(way, *end[1])) end[1] = of_this[1];
-  }
-  if (!(kernel::dot(way, *end[0]) < kernel::dot(way, *end[1]))) return std::nullopt;
-  return std::array{*end[0], *end[1]};
-}
-
-/// Appends what `add_just_before` does, by two triangles that go through one another before the exit.
+/// Appends what `add_just_before` does, by two faces that go through one another before the exit.
 ///
 /// The middle of the segment that they share moves on a line while A comes to the exit; x is where that line ends.
-/// Points beside the segment, one of the four sides of the two triangles, are inside of both bodies. Such a point, and
+/// Points beside the segment, one of the four sides of the two faces, are inside of both bodies. Such a point, and
 /// the one to which A takes it, lead to x.
 inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const kernel::Rational_point& along,
                               const Crossing_before& crossing)
 {
   using kernel::Rational;
   using kernel::Rational_point;
-  const auto before = [&](const Rational& step) {
-    auto triangle = crossing.triangle;
-    for (Rational_point& corner : triangle[0])
-      for (std::size_t c = 0; c < 3; ++c) corner[c] -= step * along[c];
-    return shared_segment(triangle);
-  };
-  const auto middle = [](const std::array<Rational_point, 2>& segment) -> Rational_point {
-    return {(segment[0][0] + segment[1][0]) / 2, (segment[0][1] + segment[1][1]) / 2,
-            (segment[0][2] + segment[1][2]) / 2};
+  const auto segment_before = [&](const Rational& step) -> std::optional<kernel::Rational_face::Edge> {
+    const Rational_point shift = {step * along[0], step * along[1], step * along[2]};
+    auto edges = crossing.face[0].edges();
+    for (auto& [from, to] : edges) {
+      from = kernel::difference(from, shift);
+      to = kernel::difference(to, shift);
+    }
+    const auto shared = kernel::face_contact(kernel::Rational_face(std::move(edges)), crossing.face[1]);
+    if (shared.size() != 1 || shared[0].kind != kernel::Piece::segment) return std::nullopt;
+    return std::pair(shared[0].loops[0][0], shared[0].loops[0][1]);
   };
   const double length = crossing.length.get_d();
   if (!(length > 0x1p-900 && length < 0x1p900)) return false;
   for (const int smaller : {1, 4, 8, 16}) {
     const Rational step = std::ldexp(1.0, std::ilogb(length) - smaller);
-    const auto segment = before(step), closer = before(step / 2);
+    const auto segment = segment_before(step), closer = segment_before(step / 2);
     if (!segment || !closer) continue;
-    const Rational_point q = middle(*segment), half_way = middle(*closer);
-    const Rational_point x = {2 * half_way[0] - q[0], 2 * half_way[1] - q[1], 2 * half_way[2] - q[2]};
-    // Vectors across the segment in both triangles, as long as it is.
-    const Rational_point way = kernel::difference((*segment)[1], (*segment)[0]);
+    const Rational half(1, 2);
+    const Rational_point q = kernel::between(segment->first, segment->second, half),
+                         x = kernel::between(q, kernel::between(closer->first, closer->second, half), 2);
+    // Vectors across the segment in both faces, as long as it is.
+    const Rational_point way = kernel::difference(segment->second, segment->first);
     std::array<kernel::Rounded_vector, 2> across;
     int inside = 0;  // the side that is inside of both where normals lead outwards; it is tried first
     for (std::size_t k = 0; k < 2; ++k) {
-      const auto normal = [&](std::size_t body) {
-        const Rational_triangle& t = crossing.triangle[body];
-        return kernel::cross(kernel::difference(t[1], t[0]), kernel::difference(t[2], t[0]));
-      };
-      const Rational_point exact_across = kernel::cross(normal(k), way);
-      if (kernel::dot(normal(1 - k), exact_across) < 0) inside |= 1 << k;
+      const Rational_point exact_across = kernel::cross(crossing.face[k].normal(), way);
+      if (kernel::dot(crossing.face[1 - k].normal(), exact_across) < 0) inside |= 1 << k;
       const Rational by = longest_part(way) / longest_part(exact_across);
       for (std::size_t c = 0; c < 3; ++c) across[k][c] = Rational(exact_across[c] * by).get_d();
     }
@@ -213,25 +172,25 @@ inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const 
         Rational_point in_b, in_a;
         for (std::size_t c = 0; c < 3; ++c) {
           const double aside = share * ((side & 1 ? 1 : -1) * across[0][c] + (side & 2 ? 1 : -1) * across[1][c]);
-          const Rational units = (q[c] + Rational(aside)) / unit;
-          in_b[c] = Rational(mpz_class(units.get_num() / units.get_den())) * unit;
+          in_b[c] = rounded_to(unit, q[c] + Rational(aside));
           in_a[c] = in_b[c] + step * along[c];
         }
-        std::string both = text + (text.back() == '[' ? "{" : ",{");
+        std::string both = "{";
         add_key(both, "point");
         both += strings_of(x);
         add_key(both, "in_a");
         if (!of_a(both, in_a, true)) continue;
         add_key(both, "in_b");
         if (!of_b(both, in_b, true)) continue;
-        text = both + '}';
+        text += both + '}';
         return true;
       }
   }
   return false;
 }
 
-/// Appends a proof that the interiors share a point just before A, moved along a direction, comes to its pose.
+/// Appends a proof, as a row of `before`, that the interiors share a point just before A comes to its pose. A moves
+/// along a direction, and `crossings` are of its last way.
 inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::Rational_point& along,
                             const std::vector<Crossing_before>& crossings)
 {
@@ -243,14 +202,14 @@ inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::R
   const std::array<kernel::Rational_point, 2> ahead = {along, {-along[0], -along[1], -along[2]}};
   for (const kernel::Rational_point& x : points_near(pair, *met))
     for (const std::size_t k : {1, 0}) {  // the body of the segment along the direction
-      std::string both = text + (text.back() == '[' ? "{" : ",{");
+      std::string both = "{";
       add_key(both, "point");
       both += strings_of(x);
       add_key(both, k == 0 ? "in_a" : "in_b");
       if (!add_approach(both, pair, k, x, true, ahead[k])) continue;
       add_key(both, k == 0 ? "in_b" : "in_a");
       if (!add_approach(both, pair, 1 - k, x, true)) continue;
-      text = both + '}';
+      text += both + '}';
       return true;
     }
   return false;

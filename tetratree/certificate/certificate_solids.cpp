@@ -120,13 +120,17 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   if (!leads_free(text, shifted(exit[1] + until), last, -1)) return data_->leave_out();
   text += "}";
   add_key(text, "before");
-  text += '[';
+  std::array<std::string, 2> before;
   const Placed_pair start = first.at({pose_a, pose_b});
   const tetratree::Two_bodies bodies = data_->triangles();
-  for (const std::size_t k : {0, 1})
-    if (!add_just_before(text, k == 0 ? first : last, along, crossings_before(start, bodies, along, exit[k])))
+  for (const std::size_t k : {0, 1}) {
+    std::string& row = before[k];
+    if (k == 1 && exit[0] == exit[1])
+      row = before[0];
+    else if (!add_just_before(row, k == 0 ? first : last, along, crossings_before(start, bodies, along, exit[k])))
       return data_->leave_out();
-  text += ']';
+  }
+  tetratree::add_list(text, before, [](const std::string& row) { return row; });
   add_stretches(text, start, bodies, along, exit[0]);
   data_->keep(std::move(text));
   return true;

@@ -22,7 +22,8 @@ namespace tetracone::tetratree {
 template <class Each>
 void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign, const Each& each)
 {
-  constexpr double least = 0x1p-100;    // of m: products then underflow by less than the slack
+  // Least sizes of m and of coordinates, at which numbers and products underflow by less than the slack.
+  constexpr double least = 0x1p-100, least_point = 0x1p-900;
   constexpr double rounding = 0x1p-48;  // of two products of three numbers that are rounded, each to 2^-52
   const kernel::Rounded_vector way = {sign * m[0].to_double(), sign * m[1].to_double(), sign * m[2].to_double()};
   const kernel::Hull_points& points = *hull.points;
@@ -30,7 +31,7 @@ void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign,
   for (const std::uint32_t v : hull.corners) last = kernel::maximum(last, kernel::dot(way, points.rounded(v)));
   const double size = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
   const double off = (rounding * points.largest() + 4 * points.error()) * size;
-  const double behind = size >= least ? last - off : -HUGE_VAL;
+  const double behind = size >= least && points.largest() >= least_point ? last - off : -HUGE_VAL;
   for (const std::uint32_t v : hull.corners)
     if (!(kernel::dot(way, points.rounded(v)) < behind)) each(v);
 }

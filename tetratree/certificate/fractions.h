@@ -52,6 +52,13 @@ inline kernel::Rational_point in_lowest_terms(kernel::Rational_point m)
   return m;
 }
 
+/// Returns a number that is rounded towards 0 to a multiple of a unit above 0.
+inline kernel::Rational rounded_to(const kernel::Rational& unit, const kernel::Rational& x)
+{
+  const kernel::Rational units = x / unit;
+  return kernel::Rational(mpz_class(units.get_num() / units.get_den())) * unit;
+}
+
 /// Returns the number. Requires an integer, or a binary fraction.
 inline kernel::Exact_number exact(const kernel::Rational& x)
 {

@@ -47,19 +47,10 @@ class Numbered_triangles {
   Seen_solid seen() const { return {body_->bvh8(), body_->polyhedron, body_->solid_sides()}; }
   Inner_balls balls() const { return {body_->bvh8(), body_->point_locator()}; }
 
-  /// Returns the corners of a triangle at a pose.
-  Rational_triangle corners(Index triangle, const kernel::Pose& pose) const
+  /// Returns a triangle at a pose.
+  kernel::Rational_face face(Index triangle, const kernel::Pose& pose) const
   {
-    const covering::Loop loop = body_->polyhedron.loop(triangle, 0);
-    Rational_triangle placed;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const covering::Vertex& v = body_->polyhedron.vertices[loop[k]];
-      for (int c = 0; c < 3; ++c)
-        placed[k][std::size_t(c)] = pose.exact(4 * c) * kernel::Rational(v[0]) +
-                                    pose.exact(4 * c + 1) * kernel::Rational(v[1]) +
-                                    pose.exact(4 * c + 2) * kernel::Rational(v[2]) + pose.exact(4 * c + 3);
-    }
-    return placed;
+    return covering::rational_face(body_->polyhedron, triangle, pose);
   }
 
   /// Returns the number of the piece that a triangle is; nothing where the pieces divide its face in another way.
@@ -122,9 +113,8 @@ inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start
   std::vector<Crossing_before> crossings;
   for (const Exit_search::Stretch& stretch : search.stretches_before(
            view.of(at_start.pose[0]), view.of(at_start.pose[1]), exit * view.height(), most_crossings))
-    crossings.push_back(
-        {{bodies[0].corners((*stretch.faces)[0], pose[0]), bodies[1].corners((*stretch.faces)[1], pose[1])},
-         (stretch.to - stretch.from) / view.height()});
+    crossings.push_back({{bodies[0].face((*stretch.faces)[0], pose[0]), bodies[1].face((*stretch.faces)[1], pose[1])},
+                         (stretch.to - stretch.from) / view.height()});
   return crossings;
 }
 

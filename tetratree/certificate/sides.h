@@ -42,8 +42,7 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
 {
   mpz_class unit = 1;
   while ((high - low) * unit < 4) unit *= 2;
-  const kernel::Rational middle = (low + high) / 2 * unit;
-  return kernel::Rational(mpz_class(middle.get_num() / middle.get_den())) / unit;
+  return rounded_to(kernel::Rational(1, unit), (low + high) / 2);
 }
 
 /// Whether a point is inside of A, and of B.

@@ -48,6 +48,7 @@ inline std::vector<Other_constant> other_constants()
       {"tetratree/penetration/depth_search.h", "same_plane", choice, "which planes are tried for corners"},
       {"tetratree/penetration/depth_search.h", "pairs_a_box", choice, "when pairs of boxes are opened"},
       {"tetratree/certificate/cover.h", "least", gate, "with smaller numbers all corners are multiplied exactly"},
+      {"tetratree/certificate/cover.h", "least_point", gate, "with smaller numbers all corners are multiplied exactly"},
       {"tetratree/certificate/cover.h", "rounding", by_hand, "16 roundings of two sums of three products"},
       {"tetratree/certificate/sides.h", "0x1p-20", unit, "a unit of random offsets of points to try"},
       {"tetratree/certificate/approach.h", "0x1p-2", choice, "a share of a segment's length that is tried"},
