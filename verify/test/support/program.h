@@ -48,13 +48,11 @@ struct Run {
 
 inline std::string in_quotes(const std::filesystem::path& path) { return "'" + path.native() + "'"; }
 
-/// Runs the program with these words, in the shell's quoting, after the shell's commands `before`. Fails the test if
-/// the program does not exit by itself.
-inline Run run(const std::string& words, const std::string& before = "")
+/// Runs commands of the shell. Fails the test if the shell does not exit by itself.
+inline Run run_shell(const std::string& commands)
 {
   const Temporary_file error("stderr", "");
-  std::FILE* const pipe =
-      ::popen((before + in_quotes(program) + " " + words + " 2>" + in_quotes(error.path())).c_str(), "r");
+  std::FILE* const pipe = ::popen(("exec 2>" + in_quotes(error.path()) + "\n" + commands).c_str(), "r");
   BOOST_REQUIRE(pipe);
   Run result;
   char buffer[4096];
@@ -65,6 +63,9 @@ inline Run run(const std::string& words, const std::string& before = "")
   result.error = contents(error.path());
   return result;
 }
+
+/// Runs the program with these words, in the shell's quoting. Fails the test if the program does not exit by itself.
+inline Run run(const std::string& words) { return run_shell(in_quotes(program) + " " + words); }
 
 /// Runs the program, and checks for status 2, an empty standard output, and one line on standard error with `says`.
 inline void check_refused(const std::string& words, const std::string& says = "")

@@ -13,11 +13,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -82,20 +79,10 @@ bool matches(const std::string& text, const std::string& pattern)
 
 Run run_in(const fs::path& folder, const std::string& command)
 {
-  const Temporary_file error("stderr", "");
-  const std::string before =
-      "cd " + in_quotes(folder) + " && exec 2>" + in_quotes(error.path()) + "\nprogram=" + in_quotes(program) +
-      " cube='" + cube + "' models='" + models + "' source='" + source + "' python='" TETRACONE_PYTHON "'\n" +
-      "tetracone() { \"$program\" \"$@\"; }\n. \"$source\"/verify/test/experiments/cli/refused.sh\n";
-  std::FILE* const pipe = ::popen((before + command).c_str(), "r");
-  BOOST_REQUIRE(pipe);
-  Run result;
-  for (int c; (c = std::fgetc(pipe)) != EOF;) result.out += char(c);
-  const int status = ::pclose(pipe);
-  BOOST_REQUIRE(WIFEXITED(status));
-  result.status = WEXITSTATUS(status);
-  result.error = contents(error.path());
-  return result;
+  return run_shell("cd " + in_quotes(folder) + "\nprogram=" + in_quotes(program) + " cube='" + cube + "' models='" +
+                   models + "' source='" + source + "' python='" TETRACONE_PYTHON "'\n" +
+                   "tetracone() { \"$program\" \"$@\"; }\n. \"$source\"/verify/test/experiments/cli/refused.sh\n" +
+                   command);
 }
 
 }  // namespace
