@@ -14,20 +14,27 @@
 
 namespace tetracone::covering {
 
+/// Returns a face with the points that `place` returns for its vertices. Requires points in one plane.
+template <class Place>
+kernel::Rational_face placed_face(const Polyhedron& polyhedron, Index f, const Place& place)
+{
+  std::vector<kernel::Rational_face::Edge> edges;
+  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+    const Loop loop = polyhedron.loop(f, l);
+    std::vector<kernel::Rational_point> points;
+    for (const Index v : loop) points.push_back(place(polyhedron.vertices[v]));
+    for (std::size_t k = 0; k < points.size(); ++k)
+      edges.push_back({points[k], points[k + 1 == points.size() ? 0 : k + 1]});
+  }
+  return kernel::Rational_face(std::move(edges));
+}
+
 /// Returns a face in rationals, under a pose.
 inline kernel::Rational_face rational_face(const Polyhedron& polyhedron, Index f, const kernel::Pose& pose)
 {
   std::array<kernel::Rational, 12> m;
   for (int k = 0; k < 12; ++k) m[k] = pose.exact(k);
-  std::vector<kernel::Rational_face::Edge> edges;
-  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-    const Loop loop = polyhedron.loop(f, l);
-    std::vector<kernel::Rational_point> points;
-    for (const Index v : loop) points.push_back(kernel::image(polyhedron.vertices[v], m));
-    for (std::size_t k = 0; k < points.size(); ++k)
-      edges.push_back({points[k], points[k + 1 == points.size() ? 0 : k + 1]});
-  }
-  return kernel::Rational_face(std::move(edges));
+  return placed_face(polyhedron, f, [&](const kernel::Vertex& v) { return kernel::image(v, m); });
 }
 
 /// Whether the points just above and just below a point, along an axis, have a winding number other than 0.

@@ -14,9 +14,9 @@ namespace tetracone::kernel {
 template <class N>
 using Number_point = std::array<N, 3>;
 
-/// Returns the image of a vertex under the twelve numbers of a pose.
-template <class N>
-Number_point<N> image(const Vertex& x, const std::array<N, 12>& m)
+/// Returns the image of a point under the twelve numbers of a pose.
+template <class X, class N>
+Number_point<N> image(const std::array<X, 3>& x, const std::array<N, 12>& m)
 {
   Number_point<N> image;
   for (int k = 0; k < 3; ++k)

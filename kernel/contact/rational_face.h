@@ -29,6 +29,10 @@ inline Rational_point between(const Rational_point& a, const Rational_point& b, 
 /// True when x is in the inside of the segment from p to q.
 inline bool is_inside_segment(const Rational_point& x, const Rational_point& p, const Rational_point& q)
 {
+  for (int k = 0; k < 3; ++k) {  // most points are outside of the segment's box, which costs no product to see
+    const int at_p = cmp(x[k], p[k]), at_q = cmp(x[k], q[k]);
+    if ((at_p == 0) != (at_q == 0) || (at_p != 0 && (at_p > 0) == (at_q > 0))) return false;
+  }
   const Rational_point a = difference(p, x), b = difference(q, x);
   return is_zero(cross(a, b)) && sgn(dot(a, b)) < 0;
 }

@@ -4,7 +4,7 @@
 #include "tetracone/covering/model.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/covering/side_windings.h"
-#include "tetracone/kernel/contact/corner_point.h"
+#include "tetracone/kernel/contact/integer_placing.h"
 #include "tetracone/kernel/contact/rational_contact.h"
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/face_contact.h"
@@ -18,6 +18,7 @@
 #include <bit>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -65,6 +66,8 @@ class Contact_faces {
       triangles_.push_back(is_triangle ? std::array{loop[0], loop[1], loop[2]}
                                        : std::array{covering::none, covering::none, covering::none});
     }
+    for (const kernel::Vertex& v : polyhedron.vertices)
+      for (const double x : v) fraction_bits_ = kernel::maximum(fraction_bits_, kernel::fraction_bits(x));
   }
 
   /// Finds the owners of all edges, unless they are known. `covering` is the constructor's.
@@ -87,6 +90,8 @@ class Contact_faces {
   }
 
   const covering::Polyhedron& polyhedron() const { return *polyhedron_; }
+  /// Returns the least n >= 0 such that all coordinates times 2^n are integers.
+  int fraction_bits() const { return fraction_bits_; }
   /// Returns the corners of a triangle with a plane; none for another face.
   const std::array<Index, 3>& triangle(Index f) const { return triangles_[f]; }
 
@@ -102,6 +107,7 @@ class Contact_faces {
   std::vector<std::array<Index, 3>> triangles_;  // none for other faces
   std::vector<std::array<Index, 2>> owned_;
   std::vector<std::size_t> owned_begin_;
+  int fraction_bits_ = 0;
 };
 
 /// The tests of pairs of faces of two placed bodies over K. Its arguments must outlive it.
@@ -135,6 +141,7 @@ class Face_pairs {
   void begin()
   {
     kept_sides_.clear();
+    placing_.reset();
     exact_faces_[0].clear();
     exact_faces_[1].clear();
   }
@@ -219,10 +226,13 @@ class Face_pairs {
       return;
     }
     if (is_beside(a, face_a, b, face_b) || is_beside(b, face_b, a, face_a)) return;
-    const auto shared = kernel::face_contact(exact_face(a_, 0, pose_a, face_a), exact_face(b_, 1, pose_b, face_b));
-    for (const kernel::Rational_piece& each : shared) {
+    if (!placing_) placing_.emplace(std::array{&pose_a, &pose_b}, std::array{a_.fraction_bits(), b_.fraction_bits()});
+    for (kernel::Rational_piece& each : kernel::face_contact(exact_face(a_, 0, face_a), exact_face(b_, 1, face_b))) {
       found.pieces.push_back({face_a, face_b, each.kind, each.in_p, each.in_q, {}, Index(found.kept.size())});
-      found.kept.push_back(each.loops);
+      for (auto& loop : each.loops)
+        for (kernel::Rational_point& x : loop)
+          for (kernel::Rational& coordinate : x) coordinate /= placing_->scale;
+      found.kept.push_back(std::move(each.loops));
     }
   }
 
@@ -261,12 +271,16 @@ class Face_pairs {
     return first != kernel::ZERO && std::ranges::all_of(vertices, [&](Index v) { return side(v) == first; });
   }
 
-  /// Returns a face in rationals, from the cache if it is there.
-  const kernel::Rational_face& exact_face(const Contact_faces& faces, int body, const kernel::Pose& pose, Index f)
+  /// Returns a face times the placing's scale, from the cache if it is there.
+  const kernel::Rational_face& exact_face(const Contact_faces& faces, int body, Index f)
   {
     const auto known = exact_faces_[body].find(f);
     if (known != exact_faces_[body].end()) return known->second;
-    return exact_faces_[body].emplace(f, covering::rational_face(faces.polyhedron(), f, pose)).first->second;
+    const auto place = [&](const kernel::Vertex& v) {
+      const auto x = (*placing_)(body, v);
+      return kernel::Rational_point{x[0], x[1], x[2]};
+    };
+    return exact_faces_[body].emplace(f, covering::placed_face(faces.polyhedron(), f, place)).first->second;
   }
 
   /// Adds contacts of the edges that a triangle owns with a triangle.
@@ -294,6 +308,7 @@ class Face_pairs {
   }
 
   const Contact_faces &a_, &b_;
+  std::optional<kernel::Integer_placing> placing_;  // of the poses, once rationals were needed
   std::array<std::map<Index, kernel::Rational_face>, 2> exact_faces_;
   kernel::Kept_sides kept_sides_;  // of triangles, for the adaptive kernel
 };

@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/contact/crossing_cones.h"
+#include "tetracone/kernel/contact/integer_placing.h"
 #include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/predicate/face_contact.h"
 #include "tetracone/tetratree/contact/face_pairs.h"
@@ -24,57 +25,6 @@
 namespace tetracone::tetratree {
 
 using kernel::Interval;
-
-/// The vertices of two bodies in integers: a scale times their placed coordinates.
-class Integer_placing {
- public:
-  using Number = mpz_class;
-
-  /// The scale is a common denominator of the poses, times a power of two that clears the vertices.
-  Integer_placing(const std::array<const Placed_solid*, 2>& solids)
-  {
-    std::array<mpz_class, 2> common = {1, 1};
-    std::array<std::array<Rational, 12>, 2> entries;
-    for (int body = 0; body < 2; ++body) {
-      for (int k = 0; k < 12; ++k) {
-        entries[body][k] = solids[body]->pose().exact(k);
-        const mpz_class& divisor = entries[body][k].get_den();
-        if (!mpz_divisible_p(common[body].get_mpz_t(), divisor.get_mpz_t())) common[body] = lcm(common[body], divisor);
-      }
-      bits_[body] = solids[body]->sides().fraction_bits();
-    }
-    scale = lcm(mpz_class(common[0] << bits_[0]), mpz_class(common[1] << bits_[1]));
-    for (int body = 0; body < 2; ++body)
-      for (int k = 0; k < 12; ++k) {
-        map_[body][k] = entries[body][k].get_num() * (scale / entries[body][k].get_den());
-        if (k % 4 != 3) map_[body][k] >>= bits_[body];
-      }
-  }
-
-  /// Returns the placed vertex, times `scale`.
-  kernel::Number_point<mpz_class> operator()(int body, const kernel::Vertex& v) const
-  {
-    kernel::Number_point<mpz_class> x, image;
-    for (int k = 0; k < 3; ++k) {
-      int exponent = 0;
-      x[k] = std::ldexp(std::frexp(v[k], &exponent), 53);
-      exponent += bits_[body] - 53;
-      if (exponent >= 0)
-        x[k] <<= exponent;
-      else
-        x[k] >>= -exponent;
-    }
-    const auto& m = map_[body];
-    for (int k = 0; k < 3; ++k) image[k] = m[4 * k] * x[0] + m[4 * k + 1] * x[1] + m[4 * k + 2] * x[2] + m[4 * k + 3];
-    return image;
-  }
-
-  mpz_class scale;
-
- private:
-  std::array<int, 2> bits_{};
-  std::array<std::array<mpz_class, 12>, 2> map_;
-};
 
 /// The placed vertices of two bodies in intervals, relative to a point near them. Requires upward rounding.
 class Interval_placing {
@@ -122,7 +72,7 @@ class Crossing_overlap {
   /// rounding. Throws CGAL::Uncertain_conversion_exception where intervals do not decide a sign.
   Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found,
                    const Is_vertex_inside& is_vertex_inside)
-      : placing({&a, &b}),
+      : placing(placing_of(a, b)),
         solid_{&a, &b},
         joined_{covering::Union_find(a.sides().place_count()), covering::Union_find(b.sides().place_count())},
         is_vertex_inside_(is_vertex_inside)
@@ -152,6 +102,14 @@ class Crossing_overlap {
 
  private:
   using Crossing = kernel::Edge_crossing<N>;
+
+  static Placing placing_of(const Placed_solid& a, const Placed_solid& b)
+  {
+    if constexpr (std::is_same_v<Placing, kernel::Integer_placing>)
+      return {{&a.pose(), &b.pose()}, {a.sides().fraction_bits(), b.sides().fraction_bits()}};
+    else
+      return {{&a, &b}};
+  }
 
   /// A face that meets the other body, and the crossings of its edges.
   struct Cut_face {

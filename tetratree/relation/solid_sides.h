@@ -63,7 +63,7 @@ class Solid_sides {
       if (!faces_[f].is_plain) uneven_.push_back(f);
     }
     for (const kernel::Vertex& v : polyhedron.vertices)
-      for (const double x : v) fraction_bits_ = kernel::maximum(fraction_bits_, fraction_bits(x));
+      for (const double x : v) fraction_bits_ = kernel::maximum(fraction_bits_, kernel::fraction_bits(x));
     find_cutters(tree);
     see_patches();
     for (Index f = 0; f < faces; ++f)
@@ -94,14 +94,6 @@ class Solid_sides {
   }
 
  private:
-  static int fraction_bits(double x)
-  {
-    if (x == 0) return 0;
-    int exponent = 0;
-    const auto digits = std::int64_t(std::ldexp(std::frexp(x, &exponent), 53));
-    return 53 - exponent - std::countr_zero(std::uint64_t(digits));
-  }
-
   /// Finds the pairs of faces that meet elsewhere than in a vertex or an edge of both.
   void find_cutters(const Bvh8& tree)
   {

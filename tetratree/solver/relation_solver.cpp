@@ -174,8 +174,8 @@ class Bvh8_relation_solver : public Relation_solver {
   {
     tetratree::Solid_overlap found;
     if (place_general(pose_a, pose_b, contacts)) {
-      found.all = tetratree::Crossing_overlap<tetratree::Integer_placing>(
-                      exactly().pair.solid(0), exactly().pair.solid(1), contacts, is_vertex_inside())
+      found.all = tetratree::Crossing_overlap<kernel::Integer_placing>(exactly().pair.solid(0), exactly().pair.solid(1),
+                                                                       contacts, is_vertex_inside())
                       .value();
     } else {
       place(pose_a, pose_b, std::move(contacts));
