@@ -28,7 +28,15 @@ class Plane_slabs {
     Rational x0, y0, x1, y1;
 
     /// Returns the height at x.
-    Rational y(const Rational& x) const { return y0 + (x - x0) / (x1 - x0) * (y1 - y0); }
+    Rational y(const Rational& x) const
+    {
+      return x == x0 ? y0 : x == x1 ? y1 : Rational(y0 + (x - x0) / (x1 - x0) * (y1 - y0));
+    }
+    /// True when all of the line is below all of another.
+    bool is_below(const Line& other) const
+    {
+      return (y0 < y1 ? y1 : y0) < (other.y0 < other.y1 ? other.y0 : other.y1);
+    }
     /// Returns the point at x, in space.
     Rational_point point(const Rational& x) const
     {
@@ -117,7 +125,8 @@ class Plane_slabs {
 
   void add_crossing(const Line& a, const Line& b)
   {
-    const Rational first = maximum(a.x0, b.x0), last = minimum(a.x1, b.x1);
+    if (a.is_below(b) || b.is_below(a)) return;
+    const Rational &first = a.x0 < b.x0 ? b.x0 : a.x0, &last = b.x1 < a.x1 ? b.x1 : a.x1;
     if (!(first < last)) return;
     const Rational below = a.y(first) - b.y(first), above = a.y(last) - b.y(last);
     if (sgn(below) * sgn(above) < 0) add_node(a.point(first + below / (below - above) * (last - first)));

@@ -16,22 +16,55 @@ namespace tetracone::kernel {
 
 namespace detail {
 
+/// An edge of a face, and how far beyond another face's plane its ends are.
+struct Seen_edge {
+  const Rational_face::Edge* edge;
+  Rational start, end;
+
+  /// Returns where the edge goes through the plane. Requires ends on opposite sides.
+  Rational_point through() const { return between(edge->first, edge->second, start / (start - end)); }
+};
+
+/// Returns the edges of a face, as seen from the plane of another.
+inline std::vector<Seen_edge> seen_edges(const Rational_face& face, const Rational_face& plane)
+{
+  std::vector<Seen_edge> seen;
+  for (const Rational_face::Edge& edge : face.edges()) {
+    const bool goes_on = !seen.empty() && seen.back().edge->second == edge.first;
+    seen.push_back({&edge, goes_on ? seen.back().end : plane.beyond(edge.first), plane.beyond(edge.second)});
+  }
+  return seen;
+}
+
 /// The set that two faces share, when all of it is on one line.
 class Line_contact {
  public:
-  /// The line goes through `origin` along `direction`, which is not 0.
-  Line_contact(const Rational_face& p, const Rational_face& q, Rational_point origin, Rational_point direction)
-      : p_(p), q_(q), origin_(std::move(origin)), direction_(std::move(direction))
+  /// The line is that of both planes, which are not parallel; `direction` is along it. `of_p` are the edges of p as
+  /// seen from the plane of q, `of_q` those of q.
+  Line_contact(const Rational_face& p, const Rational_face& q, const std::vector<Seen_edge>& of_p,
+               const std::vector<Seen_edge>& of_q, const Rational_point& direction)
+      : p_(p), q_(q)
   {
-    while (direction_[axis_] == 0) ++axis_;
+    for (const std::vector<Seen_edge>* edges : {&of_p, &of_q})
+      for (const Seen_edge& seen : *edges) {
+        if (seen.start == 0) stops_.push_back(seen.edge->first);
+        if (seen.end == 0) stops_.push_back(seen.edge->second);
+        if (sgn(seen.start) * sgn(seen.end) < 0) stops_.push_back(seen.through());
+      }
+    order_along(direction);
+  }
+
+  /// The line goes through `origin` along `direction`, which is not 0.
+  Line_contact(const Rational_face& p, const Rational_face& q, const Rational_point& origin,
+               const Rational_point& direction)
+      : p_(p), q_(q)
+  {
     for (const Rational_face* face : {&p_, &q_}) {
-      for (const auto& [from, to] : face->edges()) add_meeting(from, to);
-      if (const Rational slope = dot(face->normal(), direction_); slope != 0)
-        stops_.push_back(at(-face->beyond(origin_) / slope));
+      for (const auto& [from, to] : face->edges()) add_meeting(from, to, origin, direction);
+      if (const Rational slope = dot(face->normal(), direction); slope != 0)
+        stops_.push_back(at(origin, direction, -face->beyond(origin) / slope));
     }
-    const auto before = [this](const Rational_point& a, const Rational_point& b) { return a[axis_] < b[axis_]; };
-    std::sort(stops_.begin(), stops_.end(), before);
-    stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+    order_along(direction);
   }
 
   /// Returns the pieces in the line's order. Stops are all points of the line where a face or an edge begins or ends.
@@ -61,23 +94,31 @@ class Line_contact {
   }
 
  private:
-  Rational_point at(const Rational& t) const
+  static Rational_point at(const Rational_point& origin, const Rational_point& direction, const Rational& t)
   {
     Rational_point x;
-    for (int k = 0; k < 3; ++k) x[k] = origin_[k] + t * direction_[k];
+    for (int k = 0; k < 3; ++k) x[k] = origin[k] + t * direction[k];
     return x;
   }
 
   /// Adds the point where a closed segment meets the line, or both ends of one in it. Seen along the line, the ends of
   /// a crossing segment are on opposite sides.
-  void add_meeting(const Rational_point& from, const Rational_point& to)
+  void add_meeting(const Rational_point& from, const Rational_point& to, const Rational_point& origin,
+                   const Rational_point& direction)
   {
-    const Rational_point a = cross(difference(from, origin_), direction_),
-                         b = cross(difference(to, origin_), direction_);
+    const Rational_point a = cross(difference(from, origin), direction), b = cross(difference(to, origin), direction);
     if (is_zero(a)) stops_.push_back(from);
     if (is_zero(b)) stops_.push_back(to);
     const Rational apart = dot(a, b);
     if (apart < 0 && is_zero(cross(a, b))) stops_.push_back(between(from, to, dot(a, a) / (dot(a, a) - apart)));
+  }
+
+  void order_along(const Rational_point& direction)
+  {
+    const auto axis =
+        std::size_t(std::ranges::find_if(direction, [](const auto& x) { return x != 0; }) - direction.begin());
+    std::ranges::sort(stops_, {}, [axis](const Rational_point& x) -> const Rational& { return x[axis]; });
+    stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
   }
 
   /// Returns the features of p and q that hold x; nothing where x is not in both.
@@ -98,8 +139,6 @@ class Line_contact {
   }
 
   const Rational_face &p_, &q_;
-  Rational_point origin_, direction_;
-  int axis_ = 0;
   std::vector<Rational_point> stops_;
 };
 
@@ -110,29 +149,28 @@ struct Plane_crossing {
   int turn;  // +1 where the edge comes from the plane's negative side
 };
 
-/// Adds the points where edges of a face go through a plane. False where a corner is on the plane.
-inline bool add_crossings(const Rational_face& face, int of, const Rational_face& plane,
-                          std::vector<Plane_crossing>& found)
+/// Adds the points where edges go through the plane. False where a corner is on the plane.
+inline bool add_crossings(const std::vector<Seen_edge>& edges, int of, std::vector<Plane_crossing>& found)
 {
-  for (const auto& [from, to] : face.edges()) {
-    const Rational start = plane.beyond(from), end = plane.beyond(to);
-    if (sgn(start) == 0 || sgn(end) == 0) return false;
-    if (sgn(start) != sgn(end)) found.push_back({between(from, to, start / (start - end)), of, sgn(end)});
+  for (const Seen_edge& seen : edges) {
+    if (sgn(seen.start) == 0 || sgn(seen.end) == 0) return false;
+    if (sgn(seen.start) != sgn(seen.end)) found.push_back({seen.through(), of, sgn(seen.end)});
   }
   return true;
 }
 
 /// Returns the segments that the insides of two faces share, in lexicographic order. Returns nothing where a corner on
 /// the other's plane, or two crossings at one point, prevent that. It looks at no point twice, unlike `Line_contact`.
-inline std::optional<std::vector<Rational_piece>> crossing_pieces(const Rational_face& p, const Rational_face& q)
+inline std::optional<std::vector<Rational_piece>> crossing_pieces(const std::vector<Seen_edge>& of_p,
+                                                                  const std::vector<Seen_edge>& of_q)
 {
   std::vector<Plane_crossing> on_line;
   std::vector<Rational_piece> pieces;
-  if (!add_crossings(p, 0, q, on_line)) return std::nullopt;
-  const std::size_t of_p = on_line.size();
-  if (of_p == 0) return pieces;
-  if (!add_crossings(q, 1, p, on_line)) return std::nullopt;
-  if (of_p == on_line.size()) return pieces;
+  if (!add_crossings(of_p, 0, on_line)) return std::nullopt;
+  const std::size_t first = on_line.size();
+  if (first == 0) return pieces;
+  if (!add_crossings(of_q, 1, on_line)) return std::nullopt;
+  if (first == on_line.size()) return pieces;
   std::ranges::sort(on_line, [](const Plane_crossing& x, const Plane_crossing& y) { return x.at < y.at; });
   const auto meet = [](const Plane_crossing& x, const Plane_crossing& y) { return x.at == y.at; };
   if (std::ranges::adjacent_find(on_line, meet) != on_line.end()) return std::nullopt;
@@ -148,19 +186,6 @@ inline std::optional<std::vector<Rational_piece>> crossing_pieces(const Rational
   return pieces;
 }
 
-/// Returns what two faces share on the line of their planes, along `direction`.
-inline std::vector<Rational_piece> pieces_on_line(const Rational_face& p, const Rational_face& q,
-                                                  const Rational_point& direction)
-{
-  // The line's origin is its point nearest to o. `down` leads there from o, in p's plane and across the line.
-  const Rational_point down = cross(direction, p.normal());
-  const Rational_point& o = p.origin();
-  const Rational t = -q.beyond(o) / dot(q.normal(), down);
-  Rational_point origin;
-  for (int k = 0; k < 3; ++k) origin[k] = o[k] + t * down[k];
-  return Line_contact(p, q, origin, direction)();
-}
-
 }  // namespace detail
 
 /// Returns the set that two closed faces share, in maximal pieces. Polygons, of faces in one plane, come first; then
@@ -173,13 +198,14 @@ inline std::vector<Rational_piece> face_contact(const Rational_face& p, const Ra
     const Rational_point direction = is_zero(line.along()) ? Rational_point{1, 0, 0} : line.along();
     return detail::Line_contact(p, q, line.origin(), direction)();
   }
-  if (auto pieces = detail::crossing_pieces(p, q)) return *std::move(pieces);
+  const auto of_p = detail::seen_edges(p, q), of_q = detail::seen_edges(q, p);
+  if (auto pieces = detail::crossing_pieces(of_p, of_q)) return *std::move(pieces);
   const Rational_point direction = cross(p.normal(), q.normal());
   if (is_zero(direction)) {
     if (p.beyond(q.origin()) != 0) return {};
     return detail::Coplanar_arrangement(p, q).pieces();
   }
-  return detail::pieces_on_line(p, q, direction);
+  return detail::Line_contact(p, q, of_p, of_q, direction)();
 }
 
 }  // namespace tetracone::kernel

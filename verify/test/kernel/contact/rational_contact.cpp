@@ -129,12 +129,13 @@ BOOST_AUTO_TEST_CASE(edges_that_cross_planes_bound_what_points_on_the_line_tell)
       faces.push_back(face_of(loops));
     }
     const Rational_face &p = faces[0], &q = faces[1];
-    const auto pieces = detail::crossing_pieces(p, q);
+    const auto of_p = detail::seen_edges(p, q), of_q = detail::seen_edges(q, p);
+    const auto pieces = detail::crossing_pieces(of_p, of_q);
     if (!p.has_plane() || !q.has_plane() || !pieces) {
       ++left;
       continue;
     }
-    const auto expected = detail::pieces_on_line(p, q, cross(p.normal(), q.normal()));
+    const auto expected = detail::Line_contact(p, q, of_p, of_q, cross(p.normal(), q.normal()))();
     ++seen[expected.size()];
     BOOST_TEST_REQUIRE(pieces->size() == expected.size(), "faces " << tried);
     for (std::size_t k = 0; k < expected.size(); ++k) {
