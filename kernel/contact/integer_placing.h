@@ -7,20 +7,8 @@
 #include "tetracone/kernel/number/vertex.h"
 
 #include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
 
 namespace tetracone::kernel {
-
-/// Returns the least integer n such that x times 2^n is an integer; 0 for x = 0. Requires a finite x.
-inline int fraction_bits(double x)
-{
-  if (x == 0) return 0;
-  int exponent = 0;
-  const auto digits = std::int64_t(std::ldexp(std::frexp(x, &exponent), 53));
-  return 53 - exponent - std::countr_zero(std::uint64_t(digits));
-}
 
 /// The placed vertices of two bodies in integers: a scale times their coordinates. Sums and products of integers need
 /// no greatest common divisor, so they take a fraction of the time of rationals.
@@ -51,17 +39,8 @@ class Integer_placing {
   /// Returns the placed vertex, times `scale`.
   Number_point<mpz_class> operator()(int body, const Vertex& v) const
   {
-    Number_point<mpz_class> x;
-    for (int k = 0; k < 3; ++k) {
-      int exponent = 0;
-      x[k] = std::ldexp(std::frexp(v[k], &exponent), 53);
-      exponent += bits_[body] - 53;
-      if (exponent >= 0)
-        x[k] <<= exponent;
-      else
-        x[k] >>= -exponent;
-    }
-    return image(x, map_[body]);
+    const int bits = bits_[body];
+    return image(std::array{integer(v[0], bits), integer(v[1], bits), integer(v[2], bits)}, map_[body]);
   }
 
   mpz_class scale;  ///< a positive integer

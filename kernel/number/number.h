@@ -92,6 +92,39 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
   return Rational(decimal(numerator) / divisor);
 }
 
+/// Returns the least integer n such that x times 2^n is an integer; 0 for x = 0. Requires a finite x.
+inline int fraction_bits(double x)
+{
+  if (x == 0) return 0;
+  int exponent = 0;
+  const auto digits = std::int64_t(std::ldexp(std::frexp(x, &exponent), 53));
+  return 53 - exponent - std::countr_zero(std::uint64_t(digits));
+}
+
+/// Returns x times 2^bits. Requires a finite x that is 0 or has `bits >= fraction_bits(x)`.
+inline mpz_class integer(double x, int bits)
+{
+  int exponent = 0;
+  mpz_class whole = std::ldexp(std::frexp(x, &exponent), 53);
+  exponent += bits - 53;
+  if (exponent >= 0)
+    whole <<= mp_bitcnt_t(exponent);
+  else
+    whole >>= mp_bitcnt_t(-exponent);
+  return whole;
+}
+
+/// Returns x times 2^exponent.
+inline Rational times_power(const Rational& x, long exponent)
+{
+  Rational result;
+  if (exponent < 0)
+    mpq_div_2exp(result.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(-exponent));
+  else
+    mpq_mul_2exp(result.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(exponent));
+  return result;
+}
+
 /// Returns a fraction of few digits that compares with every double (less, equal or greater) as top / bottom does.
 ///
 /// The fraction is scaled by a power of two so that its integer part has 128 or 129 bits. Doubles of its magnitude are

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace tetracone::kernel {
 
@@ -46,22 +47,96 @@ inline std::optional<Rational> ray_segment(const Rational_ray& ray, const Ration
 
 }  // namespace detail
 
-/// Returns what `ray_face` does of a triangle whose plane the ray's line crosses in one point; else nothing.
-///
-/// Let A, B, C be the corners less o. The line passes edge AB on the side that the sign of det[d, A, B] tells, and so
-/// for the others. The sum of these determinants is n . d, with n = (B - A) x (C - A).
-inline std::optional<std::optional<Rational>> ray_crossing(const Rational_ray& ray,
-                                                           const std::array<Rational_vector, 3>& corner)
+using Integer_vector = std::array<mpz_class, 3>;
+
+/// A planar face in integers. All points are relative to a ray's origin. Edge k goes from `from[k]` to `to[k]`.
+struct Integer_face {
+  std::vector<Integer_vector> from, to;
+  std::array<Integer_vector, 3> basis;  ///< three points that are not on one line
+};
+
+namespace detail {
+
+using Integer_pair = std::array<mpz_class, 2>;
+
+/// Returns the sign of a cross b.
+inline int turn(const Integer_pair& a, const Integer_pair& b) { return cmp(a[0] * b[1], a[1] * b[0]); }
+
+/// Calls what(a, b) for the ends of each edge of a face, as seen from somewhere, while it returns true.
+template <class Seen, class What>
+void for_seen_edges(const Integer_face& face, const Seen& seen, const What& what)
 {
-  std::array<Rational_vector, 3> from;
-  for (std::size_t k = 0; k < 3; ++k) from[k] = difference(corner[k], ray.origin);
-  const Rational ab = determinant(ray.direction, from[0], from[1]), bc = determinant(ray.direction, from[1], from[2]),
-                 ca = determinant(ray.direction, from[2], from[0]), ascent = ab + bc + ca;
-  if (ascent == 0) return std::nullopt;
-  for (const Rational& side : {ab, bc, ca})
-    if (sgn(side) * sgn(ascent) < 0) return std::optional<Rational>();
-  Rational t = determinant(from[0], from[1], from[2]) / ascent;
-  return t < 0 ? std::optional<Rational>() : std::optional(std::move(t));
+  Integer_pair a, b;
+  for (std::size_t k = 0; k < face.from.size(); ++k) {
+    a = k > 0 && face.to[k - 1] == face.from[k] ? b : seen(face.from[k]);
+    b = seen(face.to[k]);
+    if (!what(a, b)) return;
+  }
+}
+
+/// True when 0 is seen on an edge of a face, or has a winding number other than 0.
+template <class Seen>
+bool holds_zero(const Integer_face& face, const Seen& seen)
+{
+  int winding = 0;
+  bool is_on_edge = false;
+  for_seen_edges(face, seen, [&](const Integer_pair& a, const Integer_pair& b) {
+    const int side = turn(a, b);
+    is_on_edge = side == 0 && sgn(a[0]) * sgn(b[0]) <= 0 && sgn(a[1]) * sgn(b[1]) <= 0;
+    if (a[1] <= 0 && b[1] > 0 && side > 0) ++winding;
+    if (a[1] > 0 && b[1] <= 0 && side < 0) --winding;
+    return !is_on_edge;
+  });
+  return is_on_edge || winding != 0;
+}
+
+inline int axis_of(const Integer_vector& x) { return x[0] != 0 ? 0 : x[1] != 0 ? 1 : 2; }
+
+}  // namespace detail
+
+/// Returns the least t >= 0 at which the ray t d meets the closed face; nothing where it does not. Requires d != 0.
+inline std::optional<Rational> ray_face(const Integer_vector& d, const Integer_face& face)
+{
+  using detail::Integer_pair, detail::turn;
+  const auto fraction = [](const mpz_class& n, const mpz_class& m) {
+    Rational t(n, m);
+    t.canonicalize();
+    return t;
+  };
+  const auto& basis = face.basis;
+  const Integer_vector normal = cross(difference(basis[1], basis[0]), difference(basis[2], basis[0]));
+  const mpz_class ascent = dot(normal, d), height = dot(normal, basis[0]);
+  if (ascent != 0) {
+    if (sgn(height) * sgn(ascent) < 0) return std::nullopt;
+    // Seen along d, the ray's line is a point. Two coordinates of x cross d tell the third.
+    const int axis = detail::axis_of(d), i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const auto seen = [&](const Integer_vector& x) {
+      return Integer_pair{x[j] * d[axis] - x[axis] * d[j], x[axis] * d[i] - x[i] * d[axis]};
+    };
+    return detail::holds_zero(face, seen) ? std::optional(fraction(height, ascent)) : std::nullopt;
+  }
+  if (height != 0) return std::nullopt;
+  const int axis = detail::axis_of(normal), i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const auto seen = [&](const Integer_vector& x) { return Integer_pair{x[i], x[j]}; };
+  if (detail::holds_zero(face, seen)) return Rational(0);
+  // The ray begins outside the face, in its plane: it comes in over an edge.
+  const Integer_pair along = seen(d);
+  std::optional<Rational> least;
+  const auto try_t = [&](const mpz_class& n, const mpz_class& m) {
+    if (const Rational t = fraction(n, m); sgn(t) >= 0 && (!least || t < *least)) least = t;
+  };
+  const auto times_along = [&](const Integer_pair& x) { return mpz_class(x[0] * along[0] + x[1] * along[1]); };
+  detail::for_seen_edges(face, seen, [&](const Integer_pair& a, const Integer_pair& b) {
+    const int at_a = turn(along, a), at_b = turn(along, b);
+    if (at_a == 0 && at_b == 0) {
+      for (const Integer_pair* end : {&a, &b}) try_t(times_along(*end), times_along(along));
+    } else if (at_a * at_b <= 0) {
+      const Integer_pair edge = {b[0] - a[0], b[1] - a[1]};
+      try_t(a[0] * edge[1] - a[1] * edge[0], along[0] * edge[1] - along[1] * edge[0]);
+    }
+    return true;
+  });
+  return least;
 }
 
 /// Returns the least t >= 0 at which the ray meets the closed planar face; nothing where it does not. The face has the

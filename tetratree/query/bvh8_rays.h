@@ -2,7 +2,7 @@
 #define TETRACONE_TETRATREE_QUERY_BVH8_RAYS_H
 
 #include "tetracone/kernel/bound/obb8_ray.h"
-#include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/ray_face.h"
 #include "tetracone/kernel/predicate/ray_triangle.h"
 #include "tetracone/tetratree/fast/bvh8.h"
@@ -22,9 +22,8 @@ namespace tetracone::tetratree {
 
 /// The faces that a ray meets, and where, exactly, through a `Bvh8`.
 ///
-/// The descent takes nearer boxes first. A filter that encloses t decides a triangle. Rationals decide uncertain
-/// triangles and faces that are not triangles. Rationals also decide where two enclosures overlap, and where an
-/// enclosure does not determine the double nearest to t. One object serves one thread. Requires sound floating point
+/// The descent takes nearer boxes first. A filter that encloses t decides a triangle. Integers decide uncertain
+/// triangles and faces that are not triangles, and rationals faces on one line. Exact times also decide where two enclosures overlap, and where an enclosure does not determine the double nearest to t. One object serves one thread. Requires sound floating point
 /// (`kernel::require_sound_floating_point`).
 class Bvh8_rays {
  public:
@@ -268,19 +267,42 @@ class Bvh8_rays {
   /// Returns the exact t of the scaled direction, or nothing.
   std::optional<Rational> exact_t(Index face)
   {
+    const auto& covering = tree_->model().covering();
+    if (const auto basis = covering.plane_basis(face)) return exact_t(covering.from(face), covering.to(face), *basis);
     if (!exact_ray_) {
       exact_ray_.emplace();
       for (int k = 0; k < 3; ++k) {
         exact_ray_->origin[k] = ray_.origin[k];
-        exact_ray_->direction[k] = times_power(Rational(ray_.direction[k]), -filter_->exponent());
+        exact_ray_->direction[k] = kernel::times_power(Rational(ray_.direction[k]), -filter_->exponent());
       }
     }
-    if (const auto loop = tree_->model().covering().from(face); loop.size() == 3) {
-      std::array<kernel::Rational_vector, 3> corners;
-      for (std::size_t k = 0; k < 3; ++k) corners[k] = kernel::exact_point(tree_->model().vertices()[loop[k]]);
-      if (auto t = kernel::ray_crossing(*exact_ray_, corners)) return *std::move(t);
-    }
     return kernel::ray_face(*exact_ray_, Exact_face(tree_->model(), face));
+  }
+
+  /// Returns `exact_t` of a face with a plane. It has edges from `from[k]` to `to[k]`.
+  std::optional<Rational> exact_t(std::span<const Index> from, std::span<const Index> to,
+                                  const std::array<Index, 3>& basis) const
+  {
+    const auto& vertices = tree_->model().vertices();
+    const auto bits_of = [](int bits, const kernel::Vertex& x) {
+      for (const double coordinate : x) bits = kernel::maximum(bits, kernel::fraction_bits(coordinate));
+      return bits;
+    };
+    int bits = bits_of(0, ray_.origin);
+    for (const Index v : from) bits = bits_of(bits, vertices[v]);
+    const auto whole = [](const kernel::Vertex& x, int by) {
+      return kernel::Integer_vector{kernel::integer(x[0], by), kernel::integer(x[1], by), kernel::integer(x[2], by)};
+    };
+    const kernel::Integer_vector origin = whole(ray_.origin, bits);
+    const auto point = [&](Index v) { return kernel::difference(whole(vertices[v], bits), origin); };
+    kernel::Integer_face face;
+    for (const Index v : from) face.from.push_back(point(v));
+    for (const Index v : to) face.to.push_back(point(v));
+    for (std::size_t k = 0; k < 3; ++k) face.basis[k] = point(basis[k]);
+    const int of_direction = bits_of(0, ray_.direction);
+    auto t = kernel::ray_face(whole(ray_.direction, of_direction), face);
+    if (t) *t = kernel::times_power(*t, long(of_direction) + filter_->exponent() - bits);
+    return t;
   }
 
   /// Returns the end of the scaled ray, rounded down and up.
@@ -298,17 +320,7 @@ class Bvh8_rays {
     if (met.high <= low) return true;
     if (met.low > high) return false;
     make_exact(met);
-    return *met.t <= times_power(Rational(end_), filter_->exponent());
-  }
-
-  static Rational times_power(const Rational& x, int exponent)
-  {
-    Rational result;
-    if (exponent < 0)
-      mpq_div_2exp(result.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(-exponent));
-    else
-      mpq_mul_2exp(result.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(exponent));
-    return result;
+    return *met.t <= kernel::times_power(Rational(end_), filter_->exponent());
   }
 
   /// Returns the first hit of a ray for which `advance` has returned false.
@@ -334,7 +346,7 @@ class Bvh8_rays {
       if (const auto t = filter_->rounded(corner(*met.element, 0), corner(*met.element, 1), corner(*met.element, 2)))
         return {met.element->face, *t};
     make_exact(met);
-    return {met.element->face, kernel::nearest_double(times_power(*met.t, -filter_->exponent()))};
+    return {met.element->face, kernel::nearest_double(kernel::times_power(*met.t, -filter_->exponent()))};
   }
 
   const Bvh8* tree_;
