@@ -10,7 +10,7 @@ namespace tetracone::tetratree {
 
 /// What queries did, stage by stage, since the counts were last cleared.
 struct Query_statistics {
-  std::uint64_t queries = 0;                   ///< poses that were asked
+  std::uint64_t queries = 0;                   ///< searches for a collision or contacts, also those of other questions
   std::uint64_t pairs_visited = 0;             ///< pairs of nodes that were compared; in the fast tree, pairs opened
   std::uint64_t hull_tests = 0;                ///< nodes compared with a plane of the other body's regular hull
   std::uint64_t discarded_by_hull = 0;         ///< nodes beyond it (Theorem 2)
@@ -18,13 +18,17 @@ struct Query_statistics {
   std::uint64_t discarded_by_sphere = 0;       ///< pairs apart
   std::uint64_t tetrahedron_tests = 0;         ///< pairs of nodes whose bounding tetrahedra were compared
   std::uint64_t discarded_by_tetrahedron = 0;  ///< pairs apart
-  std::uint64_t box_tests = 0;                 ///< oriented boxes compared with one of the other body
-  std::uint64_t leaf_pairs = 0;                ///< pairs of leaves that no bounding volume discarded
+  std::uint64_t box_tests = 0;                 ///< boxes compared with a box of the other body, or with the ray of an
+                                               ///< inclusion test
+  std::uint64_t leaf_pairs = 0;                ///< pairs of leaves that no bounding volume discarded; in collisions of
+                                               ///< the fast tree, pairs of their elements
   std::uint64_t discarded_by_box = 0;          ///< pairs of an edge and a face in a leaf pair whose boxes are apart
   std::uint64_t edge_face_tests = 0;           ///< edges against faces, decided by signs
   std::uint64_t triangle_tests = 0;            ///< pairs of triangles, in the fast tree
-  std::uint64_t inclusion_tests = 0;           ///< vertices of a shell against the other solid
-  std::uint64_t exact_fallbacks = 0;           ///< signs, distances and first contacts that needed exact arithmetic
+  std::uint64_t inclusion_tests = 0;           ///< vertices against the other solid; in the fast tree, those in its
+                                               ///< root's box
+  std::uint64_t exact_fallbacks = 0;           ///< signs, distances, ranges of exits, and pairs of moving features that
+                                               ///< needed exact arithmetic
 
   /// Adds field by field.
   Query_statistics& operator+=(const Query_statistics& other)

@@ -20,10 +20,12 @@ std::string suffix_of(const std::filesystem::path& path);
 /// in any case of letters.
 ///
 /// - Polygons stay polygons. Nothing is merged except an STL file's exactly equal vertices (-0.0 equals 0.0).
+/// - Hole loops and facets of a .poly file may be turned (`read_poly`).
 /// - Each coordinate is the double nearest to the file's decimal, by the standard's own conversion, or the binary
 ///   file's number exactly.
 /// - The formats are described at `scan_off`, `scan_obj`, `scan_ply`, `scan_stl` and `read_poly`.
-/// - Numbers that no face uses (normals, colours, points of no face) may be nan or infinite.
+/// - Numbers that no face uses (normals, colours, points of no face) may be nan or infinite. Such a point is moved to a
+///   vertex of a face; `read_with_notes` says so.
 /// - Faces of one or two corners are left out; `read_with_notes` says so. (A .poly file with such a face is refused.)
 /// - Bytes behind the last face of an OFF file, or the last triangle of a binary STL, are left out, too.
 ///
@@ -38,7 +40,8 @@ std::string suffix_of(const std::filesystem::path& path);
 /// - a count that the file cannot hold.
 Polyhedron read(const std::filesystem::path& path);
 
-/// Returns a model as by `read`, with notes of everything that was left out or changed.
+/// Returns a model as by `read`, with notes of what was left out or is not as it is written. `Read_model` counts the
+/// loops and facets that were turned.
 Read_model read_with_notes(const std::filesystem::path& path);
 
 /// Returns a model as by `read_with_notes`, and reads it a second time by CGAL's reader, which takes several times as

@@ -15,7 +15,7 @@
 namespace tetracone::covering {
 
 /// Returns the vertex number of a corner "v", "v/vt", "v/vt/vn" or "v//vn" of an OBJ face, as written (from 1, or
-/// negative). The other numbers must be integers or missing; they are not used.
+/// negative). The other numbers must be integers or missing; they are not used. Throws Input_error for any other word.
 inline std::int64_t obj_corner(const Text_lines& lines, std::string_view corner)
 {
   const auto integer = [](std::string_view word, std::int64_t& value) {
@@ -86,8 +86,8 @@ class Obj_statements {
   const Left_out& kept() const { return kept_; }
 
  private:
-  /// Appends the words of the current line up to its comment. This begins a word: CGAL takes 'g#' for a statement. In a
-  /// vertex or a face it may begin within a word, but not in "1.#IND".
+  /// Appends the words of the current line up to its comment. A comment begins at a word that begins with '#', since
+  /// CGAL takes 'g#' for a statement. In a vertex or a face it may begin within a word, but not in "1.#IND".
   void append()
   {
     for (const std::string_view word : lines_.words()) {
@@ -108,7 +108,8 @@ class Obj_statements {
 };
 
 /// Adds the vertex of a statement `v`: x y z, then nothing, a weight, a colour, or both, which are not used. The weight
-/// belongs to rational curves, and is no homogeneous coordinate.
+/// belongs to rational curves, and is no homogeneous coordinate. Throws Input_error for another count, for a
+/// word that is no number, and for 2^31 vertices.
 inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::string>& words, Scan& scan)
 {
   const std::size_t numbers = words.size() - 1;
@@ -137,11 +138,13 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
 /// Returns what a Wavefront OBJ text holds: vertices (`v`) and faces (`f`, `fo`, `q`). A face stays a polygon. Its
 /// indices count from 1, or backwards from the last vertex before it. A line that ends in a backslash goes on in the
 /// next. Statements that draw something else (points, lines, curves, groups, materials) are skipped; unknown ones are
-/// refused. A first line of two counts, of vertices and faces, is taken too (FCL's files have it), and must be right.
+/// refused. A first line of two counts, of vertices and faces, is taken too (FCL's files have it), and must be right. A
+/// face may name vertices that come later. Throws Input_error at a flaw.
 ///
 /// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
 ///
 /// - such a first line, and continued lines;
+/// - faces of one or two corners;
 /// - white space other than blanks between corners;
 /// - numbers that are not finite;
 /// - statements that it does not take (`fo`, `q`, `l`, `call`, `csh`, `maplib`, `mg`).

@@ -38,7 +38,8 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
 /// - colours and texture coordinates, since it takes as many as the header promises;
 /// - a count line without edges, or with 2^30 edges or more;
 /// - counts that stick to the keyword, or a file without it;
-/// - numbers of vertices that are not finite.
+/// - numbers of vertices that are not finite;
+/// - faces of one or two corners.
 inline Scan scan_off(const std::string& file, std::string_view text)
 {
   Text_lines lines(file, text, '#');

@@ -23,8 +23,8 @@ struct Answer_options {
   /// Returns what stands between the numbers of a line.
   const char* blank() const { return csv.empty() ? " " : ","; }
 
-  /// Throws CLI::ValidationError for options that exclude each other, and for a bad number of passes. A command that
-  /// has --json says `may_be_json`, for the message.
+  /// Throws CLI::ValidationError for --json with --csv, for --time without either, and for a bad number of passes. A
+  /// command that has --json says `may_be_json`, for the message.
   void require(bool may_be_json) const
   {
     if (json && !csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
@@ -61,7 +61,8 @@ inline void add_models(CLI::App& command, std::string& a, std::string& b)
   command.add_option("B", b, "Model")->required();
 }
 
-/// Adds --csv, --json, --time and --repeat. Times are a column alone, without columns of work.
+/// Adds --csv, --json, --time and --repeat. `json` is the help of --json. --time adds one column of nanoseconds, and no
+/// counts of work.
 inline void add_table_options(CLI::App& command, Answer_options& options, const char* json)
 {
   command.add_option("--csv", options.csv, "Write a table to this file");
@@ -78,7 +79,7 @@ inline Question required_question(const std::string& name)
   return *question;
 }
 
-/// Throws CLI::ValidationError when the distance of --within is no number; an empty text is none.
+/// Throws CLI::ValidationError when the distance of --within is no number. An empty text means that none was given.
 inline void require_distance(const std::string& within)
 {
   if (!within.empty() && !kernel::parse_number(within))
@@ -107,7 +108,8 @@ struct Asked_pair {
   Query query;
 };
 
-/// Reads poses and models, which must be solids where the question is about solids.
+/// Reads poses and models, which must be solids where the question is about solids. Throws as `read_pose_pairs`,
+/// `load_models` and the constructor of `Query`.
 inline Asked_pair read_pair(const Scene_names& names, Question question, const Query_options& how = {})
 {
   Pose_pairs poses = read_pose_pairs(names);

@@ -12,7 +12,7 @@
 namespace tetracone::experiments {
 
 /// A program as a child that exchanges lines or bytes over pipes to its standard input and output. The destructor kills
-/// it and all processes that it started; so does the end of our program. Not thread-safe.
+/// it and its process group. So do its own end and the end of our program. Not thread-safe.
 class Command_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;
@@ -28,7 +28,8 @@ class Command_process {
   Command_process(const Command_process&) = delete;
   Command_process& operator=(const Command_process&) = delete;
 
-  /// Sends the text; false when the child ends or the deadline passes before all is sent.
+  /// Sends the text; false when the child ends or the deadline passes before all is sent. True says that the pipe took
+  /// the text, not that the child lives or reads it.
   bool send(const std::string& text, Deadline deadline);
 
   /// Returns the next line of its output, without its end; nothing when the child ends or the deadline passes first. A

@@ -19,6 +19,8 @@ enum class Classified { no, vertex_in_cone, ray_in_tetrahedron, edge_crosses_bor
 /// 3. An edge of A B C meets the border of T. Two edges are enough: a triangle that the first two tests leave undecided
 /// meets T, if at all, with at least two of its edges.
 ///
+/// Requires T positively oriented, also where it is placed. A, B and C may have either order.
+///
 /// Exact kernels: the answer is the geometric one if O is off the plane of A B C. A flat S has no volume, so the rays
 /// of T decide nothing about it. It is classified unless a side of T has all of A B C strictly outside. That is never
 /// too few, and sometimes too many, which costs a test and changes no answer. (The paper does not mention flat

@@ -398,6 +398,14 @@ std::vector<std::string_view> method_names()
   return names;
 }
 
+std::vector<std::string> exact_names()
+{
+  std::vector<std::string> names;
+  for (const Kernel kernel : all_kernels)
+    if (is_exact(kernel)) names.push_back(kernel_name(kernel));
+  return names;
+}
+
 py::tuple tuple_of(const auto& names)
 {
   py::list list;
@@ -512,14 +520,15 @@ void add_query(py::module_& module)
              kind = py::arg("kind") = "linear";
   py::class_<Locked_query, std::shared_ptr<Locked_query>>(
       module, "Query",
-      R"(Query(a, b, question="solid", kernel="adaptive", method="tree", remember=False)
+      (R"(Query(a, b, question="solid", kernel="adaptive", method="tree", remember=False)
 
 Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread answers
 fastest, threads that share one wait for each other. The interpreter's lock is released while it answers.
 
 question: "solid", do the two closed solids share a point, or "surface", do the two closed surfaces. Touching counts.
-kernel: the arithmetic that decides, of `tetracone.kernels`; adaptive, epeck and rational are exact. The tolerance of
-double-eps=E, or double-eps=rel:E, is any E >= 0.
+kernel: the arithmetic that decides, of `tetracone.kernels`; these are exact: )" +
+       listed(exact_names()) + R"(. The tolerance
+of double-eps=E, or double-eps=rel:E, is any E >= 0.
 method: the way to the answer, of `tetracone.methods`.
 remember: keep from pose to pose what decided the last one, for motions in small steps. Changes no answer.
 
@@ -538,6 +547,7 @@ Raises Error when an open surface is asked for its solid, and for a pose that is
 >>> query.collide(poses)
 array([ True,  True, False])
 )")
+          .c_str())
       .def(py::init(&made_query), py::arg("a"), py::arg("b"), py::arg("question") = "solid",
            py::arg("kernel") = "adaptive", py::arg("method") = "tree", py::arg("remember") = false)
       .def("collide", of_poses<&collide>("collide"), poses_b, poses_a, R"(collide(poses_b, *, poses_a=None)

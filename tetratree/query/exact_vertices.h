@@ -32,7 +32,7 @@ class Exact_vertices {
     has_entries_ = false;
   }
 
-  /// Returns the exact image of vertex v times `weight`; it is valid until the next `place`.
+  /// Returns the exact image of vertex v times `weight`; it is valid until the next `place`. Requires `place`.
   const kernel::Exact_vector& operator()(covering::Index v)
   {
     if (place_[v] == none) {
@@ -43,7 +43,7 @@ class Exact_vertices {
     return images_[place_[v]];
   }
 
-  /// Returns the factor of all images.
+  /// Returns the factor of all images. Requires `place`.
   kernel::Exact_number weight() const { return pose_->weight() * others_weight_; }
 
  private:

@@ -112,14 +112,14 @@ class Parted_boxes {
     }
   }
 
-  /// True when the plane separates the box from the other body.
+  /// True when the box is known to be on its body's side of the plane until the first contact so far.
   bool holds(int body, Box_id box)
   {
     if (const auto known = of_box_[body].at(box.number())) return *known;
     return of_box_[body].keep(box.number(), find_whether_holds(body, box));
   }
 
-  /// True when the plane separates the vertex from the other body.
+  /// True when the vertex is known to be on its body's side of the plane until the first contact so far.
   bool holds_vertex(int body, Index v)
   {
     if (const auto known = of_vertex_[body].at(v)) return *known;
@@ -200,8 +200,9 @@ class Moving_feature_search {
     return *motion_;
   }
 
-  /// Upper bound of the time of the first contact so far; infinite if there is none.
+  /// Upper bound of the time of the first contact so far; infinite if there is none, -infinity after `end`.
   double before() const { return best_before_; }
+  /// Returns the first contact so far, or nothing if there is none, and forgets it.
   std::optional<First_meeting> take_first() { return std::exchange(best_, std::nullopt); }
 
   /// Enters a span of time, which must stay until the next call. Requires that everything of the last span is decided.
@@ -228,7 +229,7 @@ class Moving_feature_search {
   /// True once after elements were added that may meet at t = 0. All others are apart then.
   bool is_start_in_doubt() { return std::exchange(is_start_in_doubt_, false); }
 
-  /// Discards everything that may meet later than a contact at t = 0.
+  /// Ends the search after a contact at t = 0: all that waits is discarded when its turn comes.
   void end() { best_before_ = latest_ = -std::numeric_limits<double>::infinity(); }
 
   /// True when anything waits to be decided.

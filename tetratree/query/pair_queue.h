@@ -11,7 +11,7 @@
 
 namespace tetracone::tetratree {
 
-/// A box of each body, a lower bound `low` of their distance, and their signed sizes.
+/// A box of each body, a lower bound `low` of their distance, and their sizes in one unit, negative for leaves.
 struct Box_pair {
   float low;
   std::array<float, 2> size;

@@ -10,7 +10,8 @@
 
 namespace tetracone::tetratree {
 
-/// A `Bvh8` under a pose, for a query over kernel K.
+/// A `Bvh8` under a pose, for a query over kernel K. The owner places `placed` and sets `into_other`. Tree and model
+/// must outlive this object.
 template <class K = kernel::Adaptive>
 struct Placed_bvh8 {
   const Bvh8* tree;
@@ -25,10 +26,11 @@ struct Placed_bvh8 {
   const Element& element(Box_id box, Index k = 0) const { return tree->element(box, k); }
   Index leaf_count(Box_id box) const { return tree->leaf_count(box); }
 
-  /// Returns the signed size of the root's box.
+  /// Returns `Bvh8_node::signed_size` of the root's box: negative for a leaf.
   float size() const { return tree->node(0).signed_size(0); }
 
-  /// Returns the placed corners of a triangle. Requires an element that is no whole face.
+  /// Returns the corners of a triangle, as `placed.place` placed them last. They are valid until it is called again.
+  /// Requires an element that is no whole face.
   kernel::Corners<K> corners(const Element& element)
   {
     return {&placed.point(element.corner[0]), &placed.point(element.corner[1]), &placed.point(element.corner[2])};

@@ -19,7 +19,7 @@ namespace tetracone::detail {
 /// The near pairs of a scene, those whose wide boxes meet, and which of them collide.
 ///
 /// A frame asks a near pair in this order, until one of them answers (near_pairs.cpp):
-/// 1. the certificate of the last answer (`are_apart`, memory/pair_certificate.h);
+/// 1. the certificate of the last answer (`are_apart` below, with the constants of memory/pair_certificate.h);
 /// 2. for a pair with a long body, boxes turned with the bodies (turned_box.h): their gaps are mostly larger;
 /// 3. the boxes along the world's axes, as the bodies carry them (body_box.h);
 /// 4. for a pair without a long body, these boxes found anew, unless the bodies collided in the last answer;

@@ -30,17 +30,20 @@ class Scene_models {
   /// Adds a model; returns its number. `is_kept`: the caller keeps the body, so giving it back frees nothing.
   Number add(std::function<Body()> make, const std::string& name, bool is_kept);
 
-  /// Returns the body, made now if need be. Throws what making it throws, and Error where the question is `solid` and
-  /// the body is open.
+  /// Returns the body, made now if need be. The reference is valid until `add` or `give_back`. Throws what making it
+  /// throws, and Error where the question is `solid` and the body is open.
   const Body& body(Number model);
   /// Same, for a body that motions can follow. Throws Error also where a face has no triangles.
   const Body& body_of_triangles(Number model);
+  /// Returns the body's extent, made now if need be, with the body. `give_back` keeps it. The reference is valid until
+  /// `add`. Throws as `body`.
   const tetratree::Body_extent& extent(Number model);
   /// Returns the model's tree; null if none has been made.
   const tetratree::Bvh8* tree(Number model) const;
 
   /// True when a query about bodies of these models is to test all pairs of their faces. That is so while neither has a
-  /// tree and all such queries so far, this one included, cost less than making the trees. Counts the query.
+  /// tree and all such queries so far, this one included, cost less than making the trees. Counts the query where it
+  /// returns true. Requires models that have been made once.
   bool is_worth_no_tree(Number a, Number b);
 
   /// Marks a model as needed now.
@@ -84,7 +87,8 @@ class Scene_worker {
   Scene_worker(const Scene_models& models, const Scene_options& options) : models_(&models), options_(&options) {}
 
   /// Returns the query of two models. Several threads may call it only for bodies that are made. `method` is tree or
-  /// brute; if the scene's options name another method, that one is used.
+  /// brute; if the scene's options name another method, that one is used. The reference is valid until the next call of
+  /// `query` or `forget`.
   Query& query(Scene_models& models, Number a, Number b, Method method = Method::tree);
 
   /// Returns the tightest box that is available: by the tree where there is one, else by the extent.

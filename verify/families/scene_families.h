@@ -11,13 +11,13 @@
 
 namespace tetracone::verify {
 
-/// A family of scenes, whose names begin with "scene". A scene keeps the common part of consecutive frames, and must
-/// forget the rest.
+/// A family of scenes, whose names begin with "scene". A case has several frames, since a `Scene` keeps answers from
+/// frame to frame and must drop those that no longer hold.
 struct Scene_family : Named_family {
   /// Makes a scene of some frames, without its question and origin.
   Scene_case (*make)(Random& random, double parameter);
 
-  /// Case `index` of the family, for either question.
+  /// Returns case `index` of the family. Its random numbers also choose the question.
   Scene_case scene_case(std::uint64_t seed, std::uint64_t index) const;
 };
 

@@ -9,7 +9,8 @@
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/proof.h"
 
-/// The constants of tetratree/fast/: the search for a separating direction, its support tables, and containment.
+/// The constants of the search for a separating direction, of its support tables and of rays of containment, and two of
+/// kernel/bound/obb8.h.
 namespace tetracone::verify::proofs {
 
 inline Proved_bounds separation_proofs()

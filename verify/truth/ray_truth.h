@@ -16,7 +16,8 @@ class Ray_truth {
   /// Throws as `Brute_body`.
   explicit Ray_truth(const covering::Polyhedron& polyhedron);
 
-  /// Returns the least t >= 0 for each face that o + t d meets, with the face, in order.
+  /// Returns the least t >= 0 for each face that o + t d meets, with the face. The pairs ascend by t, then by face.
+  /// Requires a direction other than 0.
   std::vector<std::pair<kernel::Rational, Index>> operator()(const kernel::Vertex& o, const kernel::Vertex& d) const;
 
  private:
