@@ -33,10 +33,7 @@ class Plane_slabs {
       return x == x0 ? y0 : x == x1 ? y1 : Rational(y0 + (x - x0) / (x1 - x0) * (y1 - y0));
     }
     /// True when all of the line is below all of another.
-    bool is_below(const Line& other) const
-    {
-      return (y0 < y1 ? y1 : y0) < (other.y0 < other.y1 ? other.y0 : other.y1);
-    }
+    bool is_below(const Line& other) const { return (y0 < y1 ? y1 : y0) < (other.y0 < other.y1 ? other.y0 : other.y1); }
     /// Returns the point at x, in space.
     Rational_point point(const Rational& x) const
     {

@@ -23,8 +23,9 @@ namespace tetracone::tetratree {
 /// The faces that a ray meets, and where, exactly, through a `Bvh8`.
 ///
 /// The descent takes nearer boxes first. A filter that encloses t decides a triangle. Integers decide uncertain
-/// triangles and faces that are not triangles, and rationals faces on one line. Exact times also decide where two enclosures overlap, and where an enclosure does not determine the double nearest to t. One object serves one thread. Requires sound floating point
-/// (`kernel::require_sound_floating_point`).
+/// triangles and faces that are not triangles, and rationals faces on one line. Exact times also decide where two
+/// enclosures overlap, and where an enclosure does not determine the double nearest to t. One object serves one thread.
+/// Requires sound floating point (`kernel::require_sound_floating_point`).
 class Bvh8_rays {
  public:
   /// The tree must outlive this object.
