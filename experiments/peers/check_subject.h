@@ -9,9 +9,10 @@ namespace tetracone::experiments {
 
 /// True when the command's program follows the subject protocol (experiments/subjects/README.md). It has talks of some
 /// questions each with the program, whose right answers are clear: of surfaces, or of solids where it declines those.
-/// Writes one line per talk: `ok` or `WRONG`, and the expected answer; then what the program takes. Each answer must
-/// come within `limit`, the first of a process within three times that. All talks take at most a minute. Throws
-/// std::runtime_error when no process can be started.
+/// Writes to `out` one line per talk: `ok` and its name, or `WRONG`, its name, what is wrong and what was expected. It
+/// stops after the first talk if that has no answer. If no talk was wrong, lines say what the program takes. Last come
+/// the number of skipped lines, if any, and the verdict. Each answer must come within `limit`, the first of a process
+/// within three times that. All talks take at most a minute. Throws std::runtime_error when no process can be started.
 bool check_subject(const std::string& command, std::chrono::milliseconds limit, std::ostream& out);
 
 }  // namespace tetracone::experiments

@@ -28,7 +28,8 @@ class Command_process {
   Command_process(const Command_process&) = delete;
   Command_process& operator=(const Command_process&) = delete;
 
-  /// Sends the text; false when the child ends or the deadline passes before all is sent.
+  /// Sends the text; false when the child ends or the deadline passes before the pipe has all of it. The child may not
+  /// have read it yet.
   bool send(const std::string& text, Deadline deadline);
 
   /// Returns the next line of its output, without its end; nothing when the child ends or the deadline passes first. A
