@@ -12,6 +12,7 @@
 /// The constants of tetratree/fast/: the search for a separating direction, its support tables, and containment.
 namespace tetracone::verify::proofs {
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds separation_proofs()
 {
   using tetratree::Separating_direction, tetratree::Support_table;
