@@ -9,9 +9,9 @@
 
 namespace tetracone::experiments {
 
-/// Double arithmetic of a compiler that contracts products and sums (-ffp-contract=fast with fused multiply-add): the
-/// first product of each difference is not rounded. It is a kernel under study, for pictures; everything except the
-/// signs is CGAL::Simple_cartesian<double>.
+/// Double arithmetic of a compiler that contracts products and sums (-ffp-contract=fast with fused multiply-add). Only
+/// one product of each sum or difference is rounded before it is added. It is a kernel under study, for pictures;
+/// everything except the signs is CGAL::Simple_cartesian<double>.
 class Contracted
     : public CGAL::Type_equality_wrapper<CGAL::Cartesian_base_no_ref_count<double, Contracted>, Contracted> {
  public:

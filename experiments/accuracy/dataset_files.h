@@ -3,13 +3,14 @@
 
 #include <string_view>
 
-/// The files of experiments/accuracy/dataset/, which `export_dataset` writes beside the cases. CMake writes their
-/// definitions (experiments/CMakeLists.txt).
+/// The texts of the files of experiments/accuracy/dataset/, which `export_dataset` writes beside the cases. A name is
+/// the file's in lower case, with _ for the dot. `readme_md` and `croissant_json` are beginnings: `export_dataset` adds
+/// fields, families and checksums. CMake writes the definitions (experiments/CMakeLists.txt).
 namespace tetracone::experiments::dataset_files {
 
 extern const std::string_view readme_md, license, tetracone_dataset_py, score_py, example_py, croissant_json;
 
-/// The date of this version, from CITATION.cff.
+/// The date of this version, YYYY-MM-DD, from CITATION.cff.
 extern const std::string_view date_released;
 
 }  // namespace tetracone::experiments::dataset_files

@@ -18,12 +18,13 @@
 /// of the standard library that nearly all of them use.
 ///
 /// A command throws covering::Input_error for bad input and for a file that cannot be written. It throws
-/// CLI::ValidationError for words that it does not know or that exclude each other.
+/// CLI::ValidationError for words that it does not know or that exclude each other. Other exceptions of the library
+/// pass through, for instance Error and std::runtime_error.
 namespace tetracone::experiments {
 
 /// `check MODEL...` describes each model. Throws CLI::RuntimeError(1) when one is no closed polyhedron, and with
-/// --strict when one has a face that is not exactly planar. With --self-intersections, it throws it when the model has
-/// some.
+/// --strict when one has a face that is not exactly planar. With --self-intersections it takes one model and lists its
+/// self-intersections instead. It then throws CLI::RuntimeError(1) when there are some.
 void add_check_command(CLI::App& app);
 
 /// `save MODEL --out FILE.body`: the model with its tree, which is accepted wherever a model is.

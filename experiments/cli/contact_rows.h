@@ -32,7 +32,7 @@ struct Pair_rows {
 
 /// Returns the pairs of faces of one model that intersect improperly: `face face kind` a line, the kind that of the
 /// largest piece. JSON has an object a pair, with the pieces that they share in fractions. Faces have their numbers in
-/// the file. Triangles that replace one face of the file are no pair.
+/// the file. Triangles that replace one face of the file are no pair. Requires the model's self-intersections.
 Pair_rows self_intersection_rows(const Contacts& contacts, const Model_file& model, bool json);
 
 /// Returns the curves of one pose as lines of OBJ or of PLY, by the file's suffix. Requires `is_curve_file`. Throws

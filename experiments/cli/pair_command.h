@@ -18,7 +18,7 @@ struct Answer_options {
   bool json = false, time = false;
   int repeat = 1;
 
-  /// Returns the number of passes over all questions.
+  /// Returns the number of passes over all questions: one without times.
   int passes() const { return time ? repeat : 1; }
   /// Returns what stands between the numbers of a line.
   const char* blank() const { return csv.empty() ? " " : ","; }
@@ -48,6 +48,8 @@ struct Answer_options {
 struct Pair_options : Answer_options {
   Scene_names names;
 
+  /// Throws covering::Input_error when a file to be written is one that is read, and CLI::ValidationError when both
+  /// files to be written are one.
   void require_files() const
   {
     Answer_options::require_files([this](const std::string& file) { names.refuse_as_output(file); });
@@ -108,8 +110,8 @@ struct Asked_pair {
   Query query;
 };
 
-/// Reads poses and models, which must be solids where the question is about solids. Throws as `read_pose_pairs`,
-/// `load_models` and the constructor of `Query`.
+/// Reads poses and models, which must be solids where the question is about solids. Throws covering::Input_error for a
+/// bad file, and for numbers of poses of A and B that do not fit; else as the constructor of `Query`.
 inline Asked_pair read_pair(const Scene_names& names, Question question, const Query_options& how = {})
 {
   Pose_pairs poses = read_pose_pairs(names);
@@ -118,7 +120,7 @@ inline Asked_pair read_pair(const Scene_names& names, Question question, const Q
   return {std::move(poses), std::move(models), std::move(query)};
 }
 
-/// Returns nanoseconds as a column of a table, behind a comma.
+/// Returns whole nanoseconds as a column of a table, behind a comma. Requires a finite number.
 inline std::string ns_column(double ns) { return "," + std::to_string(static_cast<long long>(ns)); }
 
 }  // namespace tetracone::experiments

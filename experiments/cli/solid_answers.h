@@ -19,6 +19,7 @@ struct Cell {
   nlohmann::ordered_json value;
 };
 
+/// Returns a part that is a double, or a fraction "n/d", which is text in JSON too.
 inline Cell cell(const std::string& column, double x) { return {column, kernel::shortest(x), json_number(x)}; }
 inline Cell cell(const std::string& column, const std::string& fraction) { return {column, fraction, fraction}; }
 
@@ -57,8 +58,10 @@ inline std::string text_of(const std::vector<Solid_row>& rows, const Solid_optio
   return text;
 }
 
-/// Asks ask(query, pose of A, pose of B) for all poses, and writes the parts that cells(answer) returns.
-/// prove(certificate, pose of A, pose of B, answer) adds a proof.
+/// Asks ask(query, pose of A, pose of B) for all poses, in as many passes as the options say. Writes the parts that
+/// cells(answer) returns for the first pass. With --certificate, prove(certificate, pose of A, pose of B, answer) adds
+/// a proof, and the certificate is written too. Throws CLI::ValidationError for bad options, and covering::Input_error
+/// for bad files.
 template <class Ask, class Cells, class Prove>
 void answer_all(const Solid_options& options, const Ask& ask, const Cells& cells, const Prove& prove)
 {

@@ -22,9 +22,10 @@ struct Subject_options {
 /// Adds `--subject-command` and `--subject-limit`.
 void add_subject_options(CLI::App& command, Subject_options& options);
 
-/// Returns the subjects of `--subject-command`; each program was started once and asked one question. Throws
-/// CLI::ValidationError for an invalid name, and for a command that the shell cannot run. It also throws it for a name
-/// that is given twice, is "truth", or is the first word of a name in `others`.
+/// Returns the subjects of `--subject-command`; each program was started once and asked one question. Their digest is
+/// the hash of the programs and scripts that their commands name. Throws CLI::ValidationError for an invalid name, for
+/// a command that the shell cannot run, and for a limit that is no number. It also throws it for a name that is given
+/// twice, is "truth", or is the first word of a name in `others`.
 std::vector<verify::Object_subject> command_subjects(const Subject_options& options,
                                                      const std::vector<verify::Object_subject>& others);
 

@@ -48,7 +48,7 @@ struct Named_distance_peer {
 const std::vector<Named_distance_peer>& distance_peers();
 
 /// Another library's first contact of two moving meshes, prepared once. It returns the time in [0, 1] for B's motion
-/// from one pose to another while A rests; nothing if it finds none.
+/// from one rigid pose to another; nothing if it finds none. A rests in its own coordinates.
 using Motion_peer = std::function<std::optional<double>(const kernel::Pose& from, const kernel::Pose& to)>;
 
 /// A motion peer by its name.

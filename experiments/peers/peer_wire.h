@@ -12,7 +12,7 @@
 #include <vector>
 
 /// The protocol between the program and a peer's worker, which are one program on one machine. Messages to the worker:
-///  - 'm' and two polyhedra: the bodies of the questions that follow;
+///  - 'm' and two polyhedra: the bodies of the questions that follow; it has no answer;
 ///  - 'q', a question, and the doubles of two poses;
 ///  - 't' and the doubles of B's poses at the start and end of its motion; A rests.
 ///
@@ -24,6 +24,7 @@ namespace tetracone::experiments::wire {
 enum class Message : char { models = 'm', question = 'q', motion = 't' };
 enum class Answer : char { ready = 'r', no = '0', yes = '1', not_taken = 'n', failed = 'f' };
 
+/// Appends values to a message: their bytes in memory.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 void append(std::string& bytes, const T* values, std::size_t count)
@@ -35,6 +36,7 @@ template <class T>
 requires std::is_trivially_copyable_v<T>
 void append(std::string& bytes, const T& value) { append(bytes, &value, 1); }
 
+/// Appends a polyhedron: its vertices, and the loops of each face, each list behind its length.
 inline void append(std::string& bytes, const covering::Polyhedron& polyhedron)
 {
   append(bytes, std::uint64_t{polyhedron.vertices.size()});
@@ -50,7 +52,7 @@ inline void append(std::string& bytes, const covering::Polyhedron& polyhedron)
   }
 }
 
-/// `read(to, bytes)` fills `to`, or throws.
+/// Takes a value from a message. `read(to, bytes)` fills `to`, or throws.
 template <class T, class Read>
 T take(const Read& read)
 {
@@ -59,6 +61,7 @@ T take(const Read& read)
   return value;
 }
 
+/// Takes a polyhedron that `append` wrote.
 template <class Read>
 covering::Polyhedron take_polyhedron(const Read& read)
 {
@@ -77,13 +80,13 @@ covering::Polyhedron take_polyhedron(const Read& read)
   return polyhedron;
 }
 
-/// The message after 'q'.
+/// The message after 'q'; poses are row-major 3x4.
 struct Asked {
   kernel::Question question;
   std::array<double, 12> pose_a, pose_b;
 };
 
-/// The message after 't'.
+/// The message after 't': B's poses, row-major 3x4.
 struct Asked_motion {
   std::array<double, 12> from, to;
 };

@@ -30,11 +30,13 @@ class Prepared_pair {
   /// that the caller times.
   virtual std::optional<double> own_ns() const { return std::nullopt; }
 
-  /// Returns the work since the last call, and the number of nodes built so far; nothing for a peer.
+  /// Returns the work since the last call; none is known of a peer, which returns zeros.
   virtual tetratree::Query_statistics take_counts() { return {}; }
+
+  /// Returns the number of nodes built so far; 0 for a peer.
   virtual std::size_t node_count() const { return 0; }
 
-  /// Returns how the existing nodes of fast trees were cut; nothing if it is not known.
+  /// Returns how the existing nodes of fast trees were cut; zeros if it is not known.
   virtual tetratree::Cut_counts cuts() const { return {}; }
 
   /// Returns the mean number of copies of a triangle in the leaves.

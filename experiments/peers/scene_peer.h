@@ -10,7 +10,7 @@ namespace tetracone::experiments {
 /// Another library's scene of many meshes, prepared once.
 class Scene_peer {
  public:
-  using Pair = std::array<std::uint32_t, 2>;  // the lesser number first
+  using Pair = std::array<std::uint32_t, 2>;  ///< two bodies, the lesser number first
 
   virtual ~Scene_peer() = default;
   /// Returns the pairs that collide under these poses, in no order. Requires one rigid pose per body.
@@ -22,9 +22,10 @@ class Scene_peer {
   std::size_t candidates_ = 0;
 };
 
-/// A library's scene, in which body k has the mesh meshes[of[k]].
+/// A library with scenes.
 struct Scene_library {
   std::string name;
+  /// Returns a scene in which body k has the mesh meshes[of[k]]; null when the library does not take such meshes.
   std::unique_ptr<Scene_peer> (*prepare)(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of);
 };
 

@@ -8,7 +8,8 @@
 
 namespace tetracone::experiments {
 
-/// The time that a program may need to start, besides the limit of its first question, until it has once been faster.
+/// The time that a program may need to start, besides the limit of its first question. Later starts have less: about
+/// twice what a start took, and a quarter after one that failed.
 constexpr std::chrono::seconds longest_start{30};
 
 /// Returns an external method as a subject: `command`, a shell command that follows the subject protocol
@@ -36,8 +37,9 @@ std::optional<verify::Moving_bodies_subject> motion_command(const verify::Object
 std::optional<verify::Predicate_subject> triangle_command(const verify::Object_subject& subject,
                                                           std::chrono::milliseconds limit);
 
-/// Returns the program's hello, if it begins with one. Throws std::runtime_error when the shell cannot run the command:
-/// it is asked one question and ends with status 126 or 127. The campaign counts any other failure.
+/// Returns the program's hello, if it begins with one. It asks the program one question. Throws std::runtime_error when
+/// no process can be started, and when the shell cannot run the command: that ends with status 126 or 127. The campaign
+/// counts any other failure.
 std::optional<subject_lines::Hello> require_command(const std::string& command, std::chrono::milliseconds limit);
 
 }  // namespace tetracone::experiments

@@ -28,9 +28,9 @@ const char* to_string(Kind kind);
 
 /// What a subject says of itself before it answers. An entry that it leaves out excludes nothing.
 struct Hello {
-  std::string text;                    ///< the line
+  std::string text;                    ///< the line, as JSON without blanks
   std::string bodies = "any";          ///< "convex", "manifold", "closed" or "any"
-  std::vector<std::string> questions;  ///< "surface", "solid", and kinds by their names; none: these two
+  std::vector<std::string> questions;  ///< "surface", "solid", and kinds by their names; none: surface and solid
   bool is_rigid = false;               ///< it takes rigid poses alone
   bool takes_batches = false;
   verify::In_floats in_floats = verify::In_floats::nothing;
@@ -93,7 +93,7 @@ struct Reply {
   /// Yes, no, or not_asked where it declines; nothing for a wrong line. An answer that is a number is yes.
   std::optional<verify::Outcome> outcome;
   std::string wrong;                ///< what is wrong with the line, and what was expected
-  std::optional<std::uint64_t> ns;  ///< the time that it says it took; what is no number from 0 is none
+  std::optional<std::uint64_t> ns;  ///< the time that it says it took; nothing for what is no number from 0 to 1e18
   double value = 0;  ///< the distance, the place of a point (-1, 0, 1), the `t` of a yes, or a relation: 0 apart, 1
                      ///< surfaces, 2 a_in_b, 3 b_in_a
 };

@@ -15,9 +15,10 @@ namespace tetracone::experiments {
 /// - `negative`: at most 0;
 /// - `off_millionth`, `off_hundredth`: off by more than this part of the depth, of those above 0.
 ///
-/// `mean_off` and `most_off` are the mean and the largest error of those above 0, as a part of the depth. `ns` is the
-/// peer's mean time, and `exact_ns` ours. The shapes are boxes turned, boxes in one frame, and hulls of 100 points of a
-/// sphere; each has `pairs` pairs. Requires pairs >= 1.
+/// `mean_off` and `most_off` are the mean and the largest error of those above 0, as a part of the depth; without any,
+/// nothing and 0. `ns` is the mean time of an answer of the peer in nanoseconds, and `exact_ns` ours; what is prepared
+/// once is left out. The shapes are boxes turned, boxes in one frame, and hulls of 100 points of a sphere; each has
+/// `pairs` pairs. Requires pairs >= 1.
 std::string judged_depths(int pairs, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

@@ -62,7 +62,7 @@ class Column_truth {
  public:
   using Point = std::array<double, 3>;
 
-  /// Requires triangles.
+  /// Requires a closed mesh of triangles that outlives this, and whose extents in x and y are above 0.
   explicit Column_truth(const covering::Polyhedron& mesh)
       : mesh_(&mesh), body_(mesh), placed_(body_, kernel::Pose()), extent_(extent_of(mesh))
   {
@@ -103,7 +103,7 @@ class Column_truth {
     return winding != 0 ? 1 : -1;
   }
 
-  /// Returns the same, by all triangles in rationals.
+  /// Returns what operator() returns, decided in rationals by all triangles whose boxes meet.
   long in_rationals(const Point& p) const
   {
     const verify::Placed_body moved(*dot_, kernel::Pose::translation(p[0], p[1], p[2]));
@@ -130,10 +130,12 @@ class Column_truth {
   std::vector<std::vector<covering::Index>> columns_;
 };
 
+/// What stands for a face where a ray meets none.
 inline constexpr long no_face = -1;
 
-/// Returns the face of the least t among `faces`, of equal ones the least; `no_face` if there are none. t is rational.
-/// Requires that the ray meets all of these faces, and lies in the plane of none.
+/// Returns the face that the ray meets at the least t; among those of equal t, the one of the least number. It returns
+/// `no_face` if there are no `faces`. It computes in rationals. Requires triangles, all of which the ray meets, and
+/// none whose plane contains it.
 template <class Faces>
 long first_of(const covering::Polyhedron& mesh, const tetratree::Ray& ray, const Faces& faces)
 {

@@ -26,7 +26,8 @@ struct Scene_workload {
 };
 
 /// Makes a workload. `model` is convex (80 triangles), blob (760, star-shaped) or large (7000); thin scenes have their
-/// own models. Bodies fill about a tenth of the space. Poses are rotations and translations, rounded.
+/// own models. Bodies fill about a tenth of the space. Poses are rotations and translations, rounded. In a scene of
+/// another kind all bodies rest.
 Scene_workload scene_workload(const std::string& kind, const std::string& model, std::size_t bodies, std::size_t frames,
                               std::uint64_t seed);
 

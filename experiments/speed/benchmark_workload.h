@@ -20,13 +20,14 @@ struct Race_course {
   double ratio = 1;      ///< A's size over B's
   covering::Polyhedron a, b;
   std::vector<kernel::Pose> poses_b;
-  bool degenerate = false;
+  bool degenerate = false;  ///< one of the courses of contact and near contact below
 
   /// Returns the file name of its rows.
   std::string name() const;
 };
 
-/// Returns the polyhedron with each face of more than three corners replaced by triangles, where it has them.
+/// Returns the polyhedron with each face of more than three corners replaced by triangles. A face that has no
+/// triangulation stays.
 covering::Polyhedron triangulated(const covering::Polyhedron& polyhedron);
 
 /// Returns the mesh. Throws covering::Input_error, which names the folder `models`, where there is none.

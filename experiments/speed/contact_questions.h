@@ -12,7 +12,8 @@ class Answers {
  public:
   virtual ~Answers() = default;
 
-  /// Answers case k, and returns the verdict: 0 right, 1 or -1 wrong (contact_verdicts.h).
+  /// Answers case k, and returns the verdict: 0 right, 1 or -1 wrong (contact_verdicts.h). A case is judged at its
+  /// first answer alone.
   virtual int verdict(std::size_t k) = 0;
 
   /// Returns the nanoseconds that the last answer took, its judgement excluded.
@@ -45,10 +46,10 @@ struct Named_question {
 };
 
 /// Returns the questions, of `rotations` cases each, and a fourth as many motions:
-/// - contacts and distances of the study's workloads in exact and near contact;
+/// - contacts and distances of the study's workloads in exact and near contact, nested bodies excepted;
 /// - motions of their cubes through a contact of faces, edges or vertices, and contacts of their triangles;
 /// - points and rays in degenerate positions to a body of flat faces;
-/// - scenes of cubes that are stacked without gaps.
+/// - scenes of cubes that are stacked without gaps, of at least two frames.
 ///
 /// Throws as `study_workloads`, when a workload is made.
 std::vector<Named_question> contact_questions(const std::filesystem::path& models, int rotations, std::uint64_t seed);

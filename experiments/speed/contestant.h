@@ -34,6 +34,7 @@ struct Contestant {
 
   std::string kernel = {}, method = {};  ///< the study's columns of these names
 
+  /// Returns this contestant, asked one in `n` poses.
   Contestant every(std::size_t n) const
   {
     Contestant slower = *this;

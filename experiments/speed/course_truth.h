@@ -26,8 +26,8 @@ Course_truth course_truth(const Race_course& course);
 /// covering::Input_error when the file cannot be written, or belongs to another course.
 Course_truth kept_course_truth(const Race_course& course, const std::filesystem::path& folder);
 
-/// Returns the course's name and a hash of its bodies and poses, to the last bit; these depend on seed, size and
-/// frames.
+/// Returns a file name, NAME-HASH.csv: the course's name, and 16 digits of the hash of its bodies and poses. The hash
+/// takes all bits, so that another seed, size or number of frames has another file.
 std::string truth_file(const Race_course& course);
 
 }  // namespace tetracone::experiments

@@ -23,7 +23,8 @@ void run_paper(const Experiment_options& options);
 
 /// Measures the fast tree and the paper's against FCL, CGAL, Bullet and ODE in one run, with shared poses and judged
 /// answers. Real and generated meshes move on both trajectories at relative sizes 1:1 and 1:8, and in degenerate near
-/// contact. Writes out/peers.csv, out/peers.svg and .pdf, and prints the means. `full`: also 70000 triangles.
+/// contact. `programs` take part. Writes out/peers.csv, out/peers.svg and .pdf, and prints the means. `full`: also
+/// 70000 triangles.
 void run_peers(const Experiment_options& options);
 
 /// Measures how time per query, build and memory grow with the number of triangles, 10^3 to 10^5 (`full`: 10^6), of one
@@ -32,9 +33,9 @@ void run_peers(const Experiment_options& options);
 void run_scaling(const Experiment_options& options);
 
 /// Runs the robustness and time study. Every subject is asked on the trajectories of JS08 section 4 and on exactly
-/// degenerate contacts. Its answers are judged by brute force in rationals, and its time is measured. Writes
-/// out/study.csv, one row for each workload, question and subject. Draws the report, unless `rows_alone`. `full`: 20
-/// times as many poses.
+/// degenerate contacts. Its answers are judged by brute force in rationals, and its time is measured. `programs` are
+/// subjects too. Writes out/study.csv, one row for each workload, question and subject. Draws the report, unless
+/// `rows_alone`. `full`: 20 times as many poses.
 void run_study(const Experiment_options& options);
 
 /// Measures what exactness costs in contact: the adaptive kernel, double and EPECK on one tree, and FCL, on the study's

@@ -12,6 +12,7 @@ struct Build {
   double milliseconds = 0;             ///< the faster of two builds, if they are fast
   std::size_t bytes = 0;               ///< growth of the heap and mapped bytes; the contestant's meshes included
   double with_first_milliseconds = 0;  ///< if nodes are built on demand: building and asking the first hundred poses
+  /// If nodes are built on demand: their number after the first pose, and after the first hundred.
   std::size_t nodes_after_one = 0, nodes_after_first = 0;
   /// For a `clocked_cold` contestant: milliseconds to prepare it (on demand where it can) and to answer the first
   /// surface question then. Both are means over at most `Race::cold_poses` poses, each asked of newly made bodies.
@@ -25,11 +26,12 @@ struct Timing : Judged_answers {
   /// The means of the fastest times in the poses that this contestant was asked: its own, the first contestant's and
   /// FCL's. Ratios of contestants that were asked different poses are computed from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
-  /// The means of two kinds of times, for a `clocked_cold` contestant. The cold one is over `Race::cold_poses` poses
-  /// with the caches emptied before each. The warm one is of the fastest times in the same poses.
+  /// The means of two kinds of times, for a `clocked_cold` contestant and the surface question. The cold one is over
+  /// `Race::cold_poses` poses with the caches emptied before each. The warm one is of the fastest times in the same
+  /// poses.
   double cold_ns = 0, warm_ns = 0;
   std::size_t passes = 0;  ///< each is timed, run without the clock, and timed again; a long one is timed once
-  tetratree::Query_statistics counts;  ///< work of one pass over the course, by its poses
+  tetratree::Query_statistics counts;  ///< work of one pass, weighted to all poses of the course
 };
 
 /// A contestant, prepared for a course.
@@ -44,6 +46,7 @@ struct Prepared_contestant {
 /// temporary slowdown of the machine affects all.
 class Race {
  public:
+  /// The numbers of poses that are asked first of nodes built on demand, and asked cold. A short course has fewer.
   static constexpr std::size_t first_poses = 100, cold_poses = 16;
 
   /// Requires that both outlive the race. The others are compared with the first contestant, which must be asked every

@@ -28,7 +28,7 @@ struct Stratum {
   double weight = 1;
 };
 
-/// Returns `count` of these poses, evenly spread. Requires count <= of.size().
+/// Returns `count` of these poses, evenly spread. Requires 1 <= count <= of.size().
 inline Stratum spread_sample(const std::vector<std::size_t>& of, std::size_t count)
 {
   Stratum sample;

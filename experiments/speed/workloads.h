@@ -42,6 +42,7 @@ struct Workload {
   std::vector<kernel::Pose> poses_a, poses_b;  ///< as many for A as for B, or one
   std::vector<kernel::Question> questions;
 
+  /// Returns A's pose that goes with poses_b[k].
   const kernel::Pose& pose_a(std::size_t k) const { return poses_a[poses_a.size() == 1 ? 0 : k]; }
 };
 
@@ -54,7 +55,8 @@ struct Named_workload {
 /// Returns the workloads of the study. The four objects are those of JS08 Fig. 15: two complex polyhedra, a mesh of the
 /// cat's size and one of the horse's. They move in all pairs on both trajectories of its section 4. The largest moves
 /// against itself at relative sizes 1:2 to 1:16. Scenarios of exactly degenerate contact have `rotations` poses each.
-/// `models` is the folder that fetch_models.sh filled. Throws covering::Input_error when a mesh does not exist.
+/// `models` is the folder that fetch_models.sh filled. A workload's `make` throws covering::Input_error when a mesh
+/// does not exist.
 std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations,
                                             std::uint64_t seed);
 

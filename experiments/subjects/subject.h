@@ -34,6 +34,7 @@ struct Ask {
   json line;                                              ///< as it was asked, with poses of fractions
 };
 
+/// Returns the point's image under a row-major 3x4 matrix, rounded.
 inline Point image(const std::array<double, 12>& m, const Point& p)
 {
   Point x;
@@ -67,6 +68,7 @@ inline double number(const json& n)
   return double(std::strtold(text.c_str(), nullptr) / std::strtold(&text[text.find('/') + 1], nullptr));
 }
 
+/// Returns the question of a line that asks about two bodies.
 inline Ask ask_of(const json& line)
 {
   Ask ask{line["question"], {}, {}, {}, {}, line};
@@ -79,8 +81,9 @@ inline Ask ask_of(const json& line)
   return ask;
 }
 
-/// Says hello and answers until the input ends. prepare(body) returns a shared pointer to a library's form of a body,
-/// null to decline it. collide(a, b, ask) returns nothing to decline; it alone is timed.
+/// Says hello and answers until the input ends; returns 0, the status of the program. prepare(body) returns a shared
+/// pointer to a library's form of a body, null to decline it. collide(a, b, ask) returns nothing to decline; it alone
+/// is timed. Throws what nlohmann::json throws for a line that does not follow the protocol.
 template <class Prepare, class Collide>
 int serve(json hello, const Prepare& prepare, const Collide& collide)
 {

@@ -7,7 +7,7 @@
 
 namespace tetracone::experiments {
 
-/// Returns the text as a field of a CSV, with semicolons for commas and without quotes.
+/// Returns the text as a field of a CSV, with semicolons for commas and without double quotes.
 inline std::string field(std::string text)
 {
   std::replace(text.begin(), text.end(), ',', ';');
@@ -15,6 +15,7 @@ inline std::string field(std::string text)
   return text;
 }
 
+/// Returns the name and version of the compiler that the program was built with.
 inline std::string compiler()
 {
 #ifdef __clang__
@@ -27,7 +28,7 @@ inline std::string compiler()
 /// The flags that the program was built with.
 inline std::string compiler_flags() { return field(TETRACONE_FLAGS); }
 
-/// Returns the processor's name, if the system gives it.
+/// Returns the processor's name, or "unknown" if the system does not give it.
 inline const std::string& processor()
 {
   static const std::string name = [] {

@@ -14,6 +14,7 @@ namespace tetracone::experiments {
 /// A row of a CSV with its header: each field has a name. Numbers are written with four digits, counts in full.
 class Csv_row {
  public:
+  /// Adds a field, whose text is made safe by `field`.
   Csv_row& add(const std::string& name, const std::string& value) { return add_raw(name, field(value)); }
   Csv_row& add(const std::string& name, const char* value) { return add(name, std::string(value)); }
   Csv_row& add(const std::string& name, std::integral auto value) { return add(name, std::to_string(value)); }
@@ -54,6 +55,7 @@ class Csv_row {
   /// Adds the seed and the fields of `add_build`.
   Csv_row& add_origin(std::uint64_t seed) { return add("seed", seed).add_build(); }
 
+  /// Returns the names of the fields, or the fields, as a line with its end.
   std::string header() const { return header_ + '\n'; }
   std::string line() const { return line_ + '\n'; }
 
@@ -69,7 +71,7 @@ class Csv_row {
   std::string header_, line_;
 };
 
-/// A CSV of rows with equal names of fields.
+/// A CSV of rows, all of which must have the names of the first.
 class Csv_table {
  public:
   void add(const Csv_row& row)

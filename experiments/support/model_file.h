@@ -32,7 +32,7 @@ struct Model_file {
   Body body;  ///< with the nodes of its tree that the file has, or triangulated
   std::vector<covering::Index>
       source_face;             ///< for each face, the face of the file that it is, or is a triangle of; ascending
-  bool is_as_in_file = false;  ///< the file has these vertices, and faces in these directions, in this order
+  bool is_as_in_file = false;  ///< the file has these vertices, and in their directions the faces of `source_face`
 
   const covering::Polyhedron& polyhedron() const { return body.polyhedron(); }
 };
@@ -48,7 +48,7 @@ std::string what_closes(const covering::Polyhedron& polyhedron);
 Model_file whole_model(const std::string& name, covering::Polyhedron polyhedron);
 
 /// Reads a model or a saved body, merged and oriented by the options, with its non-planar faces replaced by triangles.
-/// Lines on stderr report this, and the parts that the reader left out. Throws covering::Input_error for an unreadable
+/// Lines on stderr report replaced faces, and what the reader left out. Throws covering::Input_error for an unreadable
 /// file, and with `strict` for a non-planar face. With `must_be_solid` it throws it for an open surface, and says where
 /// it is open, and what would close it.
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid);

@@ -17,7 +17,7 @@ void make_folder(const std::filesystem::path& folder);
 /// behind.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
-/// Writes the table to the file `csv` by `write_whole`, or to standard output if `csv` is empty.
+/// Writes the table to the file `csv` by `write_whole`, which may throw, or to standard output if `csv` is empty.
 void write_answers(const std::string& csv, const std::string& text);
 
 /// Throws covering::Input_error when `output` is one of the files, under any name. Call it before the work.

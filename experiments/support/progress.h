@@ -15,6 +15,7 @@ namespace tetracone::experiments {
 /// seconds. The destructor clears it.
 class Progress {
  public:
+  /// `what` names the things that are counted; `total` is their number.
   Progress(std::string what, std::size_t total)
       : what_(std::move(what)), total_(total), shown_(isatty(STDERR_FILENO) != 0)
   {}
@@ -25,6 +26,7 @@ class Progress {
     if (printed_) std::fputs("\r\033[K", stderr);
   }
 
+  /// Tells that `count` more are done.
   void step(std::size_t count = 1)
   {
     done_ += count;

@@ -16,8 +16,8 @@ struct Table_part {
 
 /// Writes out/NAME.csv from its parts in order. Each part is saved in a folder under out/NAME/ as soon as it is made,
 /// and is not made again. The folder's name encodes the version and the command line `again()`; the same command line
-/// therefore resumes the run. Progress goes to stderr on a terminal. Throws covering::Input_error when `out` cannot be
-/// written.
+/// therefore resumes the run. Progress goes to stderr on a terminal. Requires parts of different names and of one
+/// header. Throws covering::Input_error when `out` cannot be written.
 void write_table(const std::filesystem::path& out, const std::string& name, const std::vector<Table_part>& parts);
 
 }  // namespace tetracone::experiments

@@ -22,8 +22,8 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Asks all ways each question, pass by pass, in which the ways take turns: ask(way, k) alone is clocked. Returns the
-/// fastest time of each question by each way, in nanoseconds.
+/// Asks each question in each way, pass after pass; within a pass each way answers all questions before the next way
+/// begins. ask(way, k) alone is clocked. Returns the fastest time of each question in each way, in nanoseconds.
 template <class Ask>
 std::vector<std::vector<double>> fastest_times(std::size_t ways, std::size_t questions, int passes, const Ask& ask)
 {
@@ -39,9 +39,10 @@ std::vector<std::vector<double>> fastest_times(std::size_t ways, std::size_t que
   return fastest;
 }
 
+/// Returns the sum.
 inline double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// Requires a value.
+/// Returns the mean. Requires a value.
 inline double mean_of(const std::vector<double>& values) { return sum_of(values) / double(values.size()); }
 
 }  // namespace tetracone::experiments

@@ -9,7 +9,7 @@
 
 namespace tetracone::experiments {
 
-/// Two bodies in motion until they first meet, or to the end; the scene's poses are at these times.
+/// Two bodies in motion until they first meet, or to the end; the scene's poses are at these times, at most 61.
 struct View_motion {
   std::vector<double> times;
   std::optional<First_contact> first;

@@ -8,8 +8,18 @@
 
 namespace tetracone::verify {
 
-/// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor,
-/// seed, whether real meshes were there, and a command line. The command line `again` repeats the whole campaign.
+/// The bins of cases whose distance to degeneracy is 0, and of cases where no determinant was near.
+inline constexpr int exactly_degenerate = -9999, not_near = 9999;
+
+/// The number of cases of each family whose wrong and declined answers are kept one by one.
+inline constexpr std::uint64_t kept_one_by_one = 200;
+
+/// The two values of the column `poses`.
+inline constexpr const char *of_doubles = "doubles", *with_fractions = "fractions";
+
+/// The tables of a campaign's database. A run is the version, compiler, flags, processor, seed, whether real meshes
+/// were there, and a command line. The command line `again` repeats the whole campaign. Rows name the `run` that made
+/// them, except those of done, words, command and hello.
 ///  - done: how many cases of a batch a subject has been asked; the subject 'truth' stands for the truths.
 ///  - tally: answers by subject, question (or predicate) and distance to degeneracy.
 ///    Each answer is counted once on each of two axes. Axis 'rho' has bins of log2 of the relative determinant, and
@@ -50,10 +60,6 @@ namespace tetracone::verify {
 ///    made anew for each question of the levels 'object', 'features', 'contacts' and 'distances'. `asking` is from then
 ///    to the answer. Where making is NULL, asking includes it. An external program has a row where it reports its own
 ///    time.
-inline constexpr int exactly_degenerate = -9999, not_near = 9999;
-inline constexpr std::uint64_t kept_one_by_one = 200;
-inline constexpr const char *of_doubles = "doubles", *with_fractions = "fractions";
-
 inline constexpr const char* campaign_schema = R"(
 CREATE TABLE IF NOT EXISTS run (id INTEGER PRIMARY KEY, version TEXT, compiler TEXT, flags TEXT, processor TEXT, seed INTEGER,
   real_meshes INTEGER, again TEXT, UNIQUE (version, compiler, flags, processor, seed, real_meshes, again));
@@ -92,14 +98,15 @@ CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject T
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
 )";
 
-/// Returns what is done with a row whose key the table has already: numbers are added up.
+/// Returns the clause for a row whose key the table has already: numbers are added up, and a row of `declined` stays as
+/// it is. It is empty for tables whose keys never come twice.
 std::string on_conflict(const std::string& table);
 
 /// Returns a statement that adds the row ?1, ?2, ... of n columns.
 std::string insertion(const std::string& table, int n);
 
 /// Returns a statement that adds all rows of this table of the attached database `other`. The table `renumbered` says
-/// which run is `here` that is `there`.
+/// which run is `here` that is `there`. Requires a table whose first column is `run`.
 std::string merging(const std::string& table);
 
 /// Throws covering::Input_error, with the table and its columns, when a table of the file has other columns than the

@@ -30,13 +30,13 @@ inline std::optional<kernel::Vertex> exactly(const Exact_vector& v)
   return vertex;
 }
 
-/// The vertex nearest to `v`.
+/// Returns the vertex nearest to `v`; a coordinate beyond the doubles is infinite.
 inline kernel::Vertex rounded(const Exact_vector& v)
 {
   return {kernel::nearest_double(v[0]), kernel::nearest_double(v[1]), kernel::nearest_double(v[2])};
 }
 
-/// a + s b
+/// Returns a + s b.
 inline Exact_vector sum(const Exact_vector& a, const kernel::Rational& s, const Exact_vector& b)
 {
   return {kernel::Rational(a[0] + s * b[0]), kernel::Rational(a[1] + s * b[1]), kernel::Rational(a[2] + s * b[2])};
@@ -74,7 +74,7 @@ inline Exact_vector scaled_to_one(const Exact_vector& a)
   return times(power(-exponent), a);
 }
 
-/// M v + t.
+/// Returns M v + t.
 inline Exact_vector image(const kernel::Pose& pose, const Exact_vector& v)
 {
   Exact_vector result;
@@ -84,7 +84,7 @@ inline Exact_vector image(const kernel::Pose& pose, const Exact_vector& v)
   return result;
 }
 
-/// M v.
+/// Returns M v.
 inline Exact_vector turned(const kernel::Pose& pose, const Exact_vector& v)
 {
   return difference(image(pose, v), {pose.exact(3), pose.exact(7), pose.exact(11)});
@@ -104,7 +104,7 @@ inline Exact_vector preimage(const kernel::Pose& pose, const Exact_vector& x)
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// v M, that is, the row w with w x = v (M x).
+/// Returns v M, that is, the row w with w x = v (M x).
 inline Exact_vector pulled_back(const kernel::Pose& pose, const Exact_vector& v)
 {
   Exact_vector result;

@@ -14,9 +14,10 @@
 /// Exact changes of points and poses, which return nothing when the result is no double.
 namespace tetracone::verify {
 
-/// A number from 0 to `count` - 1. Requires count > 0.
+/// Returns a number from 0 to `count` - 1. Requires count > 0.
 inline std::size_t one_of(Random& random, std::size_t count) { return random.bits() % count; }
 
+/// Returns a + b.
 inline std::optional<double> exact_sum(double a, double b)
 {
   // Knuth's two-sum gives the rounding error of the sum. Its intermediate exponents do not exceed the operands' and the
@@ -27,13 +28,14 @@ inline std::optional<double> exact_sum(double a, double b)
   return lost == 0 ? std::optional(sum) : std::nullopt;
 }
 
-/// x * 2^exponent.
+/// Returns x * 2^exponent.
 inline std::optional<double> exact_scaled(double x, int exponent)
 {
   const double scaled = std::ldexp(x, exponent);
   return std::isfinite(scaled) && std::ldexp(scaled, -exponent) == x ? std::optional(scaled) : std::nullopt;
 }
 
+/// Returns (a + b) / 2.
 inline std::optional<double> exact_middle(double a, double b)
 {
   const auto sum = exact_sum(a, b);
@@ -52,6 +54,8 @@ std::optional<kernel::Vertex> each_coordinate(const Change& change)
   }
   return result;
 }
+
+/// Returns the sum, the multiple by 2^exponent, or the middle of vertices, coordinate by coordinate.
 inline std::optional<kernel::Vertex> exact_sum(const kernel::Vertex& a, const kernel::Vertex& b)
 {
   return each_coordinate([&](int k) { return exact_sum(a[k], b[k]); });
@@ -69,6 +73,7 @@ inline std::optional<kernel::Vertex> exact_middle(const kernel::Vertex& a, const
 struct Signed_permutation {
   std::array<int, 3> axis{0, 1, 2}, sign{1, 1, 1};
 
+  /// Returns one at random, each as likely as another.
   static Signed_permutation any(Random& random)
   {
     Signed_permutation p;
@@ -80,6 +85,7 @@ struct Signed_permutation {
 
   bool is_identity() const { return axis == std::array{0, 1, 2} && sign == std::array{1, 1, 1}; }
 
+  /// Returns the determinant of its matrix, 1 or -1.
   int determinant() const
   {
     const bool cyclic = (axis[1] - axis[0] + 3) % 3 == 1;
@@ -181,7 +187,7 @@ inline std::optional<kernel::Vertex> exact_image(const kernel::Pose& pose, const
   return object_family::exactly(object_family::image(pose, object_family::exact(v)));
 }
 
-/// The largest absolute coordinate.
+/// Returns the largest absolute coordinate.
 inline double magnitude(const kernel::Vertex& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
 /// Returns the spacing of the doubles at x, at least the smallest denormal.

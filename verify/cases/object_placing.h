@@ -20,7 +20,7 @@ using kernel::Rational;
 /// An integer from `low` to `high`.
 int integer(Random& random, int low, int high);
 
-/// 2^k, any k, exactly.
+/// 2^k, for positive and negative k, exactly.
 Rational power_of_two(int k);
 
 /// An odd multiple of 2^-bits strictly between 0 and 1; 1 <= bits <= 52.
@@ -52,10 +52,13 @@ Pose fraction_map(Random& random, int exponent);
 /// a translation. It is exact, and of rationals if the turn is.
 Pose wild_map(Random& random, int size);
 
-/// The map that is applied to both bodies of a case last. `motion` returns `rounded` as an exact rotation, and `placed`
-/// rounds the poses afterwards. All others keep a contact exactly.
+/// The map that is applied to both bodies of a case last. All but `rounded` keep a contact exactly.
 enum class Motion { identity, translation, permutation, rotation, similarity, shear, rounded };
+
+/// Returns a random kind other than `rounded`; few are `shear`.
 Motion exact_motion(Random& random);
+
+/// Returns a random map of a kind, exactly. `rounded` gives a rotation: `placed` rounds the poses afterwards.
 Pose motion(Random& random, Motion kind);
 
 /// A turn of B against A: none, a signed permutation, or a rational rotation.
@@ -74,14 +77,15 @@ struct Touching {
 /// `point`: B is on the upper side of the plane.
 Pose resting(const covering::Polyhedron& b, const Pose& turn, const Exact_vector& point, const Exact_vector& normal);
 
-/// A vertex of B on an inner point of a hull triangle of A, at barycentric coordinates of `bits` bits.
+/// A vertex of B on an inner point of a hull triangle of A, at barycentric coordinates of `bits` bits. Requires a hull
+/// triangle, and two bits or more.
 Touching vertex_on_face(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
 /// A vertex of B on a hull edge of A at an odd multiple of 2^-bits. Requires a hull edge.
 Touching vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
 /// The extreme vertices of both along a random direction.
 Touching vertex_on_vertex(Random& random, const Body& a, const Body& b, const Pose& turn);
 /// Two edges that cross at parameters of `bits` bits. They lie on the hulls, unless dozens of tries find no such edges.
-/// Requires a similarity as `turn`, and two bits or more.
+/// Requires a similarity as `turn`.
 Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits);
 /// One of these. With a vertex on A's face, B's lowest edge or face may lie on it.
 Touching any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn);
@@ -90,6 +94,7 @@ Touching any_contact(Random& random, const Pose& turn);
 
 /// A point inside the triangle, at barycentric coordinates of `bits` bits. Requires two bits or more.
 Exact_vector point_inside(Random& random, const Shape& shape, const Face_triangle& triangle, int bits);
+/// The first corner, plus s and t times the ways to the two others.
 Exact_vector point_on(const Shape& shape, const Face_triangle& triangle, double s, double t);
 
 /// Returns 0 half of the time, else a gap or a penetration of 2^-10 to 2^-60.

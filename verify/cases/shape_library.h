@@ -56,6 +56,8 @@ struct Shape {
 /// Blocks of few flat faces, of size about 1, on a grid of 1/64. They are boxes, a tetrahedron, an octahedron, a roof,
 /// an L, an arrowhead, and faces with holes. Others are a cavity and voxel solids with edges of four faces.
 const std::vector<Shape>& blocks();
+
+/// The numbers of some blocks.
 inline constexpr std::size_t unit_cube_block = 0, tetrahedron_block = 2, roof_block = 4, tunnel_block = 7,
                              complex_block = 8, cavity_block = 10;
 
@@ -70,6 +72,7 @@ const std::vector<Shape>& meshes();
 const Shape& any_shape(Random& random);
 /// Returns such a shape that has an edge on its hull.
 const Shape& with_hull_edges(Random& random);
+/// Returns a block, or a pebble.
 const Shape& any_block(Random& random);
 const Shape& any_pebble(Random& random);
 /// Returns a block that is its own hull.
@@ -94,6 +97,7 @@ Body tetrahedron(const std::array<kernel::Vertex, 4>& corners);
 /// Returns the pyramid over an exactly planar base, outward if the base runs clockwise seen from the apex.
 Body pyramid(const std::vector<kernel::Vertex>& base, const kernel::Vertex& apex);
 
+/// Returns the polyhedron as a body.
 Body shared(covering::Polyhedron polyhedron);
 
 }  // namespace tetracone::verify::object_family

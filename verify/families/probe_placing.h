@@ -33,7 +33,7 @@ inline Vertex nearest(const Exact_vector& v)
   return rounded;
 }
 
-/// i / 2^bits, 0 < i < 2^bits; 1 <= bits <= 52.
+/// Returns i / 2^bits, 0 < i < 2^bits; 1 <= bits <= 52.
 inline double share(Random& random, int bits)
 {
   return std::ldexp(1 + double(random.bits() % ((std::uint64_t(1) << bits) - 1)), -bits);
@@ -51,18 +51,19 @@ inline std::array<Vertex, 3> any_corners(Random& random, const Probed_body& of)
   return corners;
 }
 
-/// a + s (b - a).
+/// Returns a + s (b - a).
 inline Exact_vector between(const Vertex& a, const Vertex& b, const Rational& s)
 {
   return object_family::sum(exact(a), s, object_family::difference(exact(b), exact(a)));
 }
 
-/// a + s (b - a) + t (c - a).
+/// Returns c0 + s (c1 - c0) + t (c2 - c0).
 inline Exact_vector spanned(const std::array<Vertex, 3>& c, const Rational& s, const Rational& t)
 {
   return object_family::sum(between(c[0], c[1], s), t, object_family::difference(exact(c[2]), exact(c[0])));
 }
 
+/// Returns a point of an edge at a parameter of `bits` bits, rounded.
 inline Vertex on_edge(Random& random, const Probed_body& body, int bits)
 {
   const auto corners = any_corners(random, body);

@@ -9,14 +9,16 @@
 namespace tetracone::verify {
 
 /// Doubles from bytes. The first byte of each selects quarters of small integers, which meet more often, a small
-/// integer times a power of two, or raw bits. That byte replaces NaN and a number of at least `limit`. Bytes after the
-/// last one are 0.
+/// integer times a power of 16, or raw bits. That byte replaces NaN and a number of magnitude `limit` or more, except
+/// that quarters are never replaced. Bytes after the last one are 0.
 class Doubles {
  public:
   Doubles(const std::uint8_t* data, std::size_t size, double limit) : data_(data), size_(size), limit_(limit) {}
 
+  /// True when all bytes are taken.
   bool empty() const { return size_ == 0; }
 
+  /// Takes a double.
   double next()
   {
     const std::uint8_t kind = byte();
@@ -29,6 +31,7 @@ class Doubles {
     return limited(x, kind);
   }
 
+  /// Takes a byte.
   std::uint8_t byte()
   {
     if (size_ == 0) return 0;

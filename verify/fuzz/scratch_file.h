@@ -11,6 +11,7 @@
 namespace tetracone::verify {
 
 /// A file of this process for readers that need a path; it is in memory if /dev/shm exists. The destructor removes it.
+/// Two objects of one process with equal suffixes have one file.
 class Scratch_file {
  public:
   explicit Scratch_file(const std::string& suffix)
@@ -28,6 +29,7 @@ class Scratch_file {
 
   const std::filesystem::path& path() const { return path_; }
 
+  /// Writes the bytes. Requires a folder that can be written.
   void write(const std::uint8_t* data, std::size_t size) const
   {
     std::FILE* file = std::fopen(path_.c_str(), "wb");

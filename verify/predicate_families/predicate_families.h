@@ -4,11 +4,11 @@
 #include "verify/cases/case.h"
 #include "verify/cases/random.h"
 
-/// The families' predicate level, each generator with its name in `families()`. Generators take the random state and
-/// the parameter, and return everything except `origin`.
+/// The families' predicate level, each generator with its name in `families()`, where the parameter is explained too.
+/// Generators take the random state and the parameter, and return everything except `origin`.
 namespace tetracone::verify::predicate_family {
 
-// predicate_families_planes.cpp: four points in a plane, or nearly so
+// planes.cpp: four points in a plane, or nearly so
 Predicate_case random_points(Random& random, double scale);
 Predicate_case rounded_on_plane(Random& random, double bits);
 Predicate_case ulps_off_plane(Random& random, double ulps);
@@ -19,7 +19,7 @@ Predicate_case ulp_walk(Random& random, double axes);
 Predicate_case decimal_grid(Random& random, double d);
 Predicate_case non_planar_quads(Random& random, double ulps);
 
-// predicate_families_contacts.cpp: p, or p q r, on an element of the tetrahedron
+// contacts.cpp: p, or p q r, on an element of the tetrahedron
 Predicate_case vertex_on_vertex(Random& random, double pose);
 Predicate_case vertex_on_edge(Random& random, double k);
 Predicate_case vertex_on_face(Random& random, double k);
@@ -30,7 +30,7 @@ Predicate_case face_on_face(Random& random, double overlap);
 Predicate_case coplanar_sharing(Random& random, double what);
 Predicate_case t_junctions(Random& random, double k);
 
-// predicate_families_solids.cpp: bodies on, in and around one another
+// solids.cpp: bodies on, in and around one another
 Predicate_case stacked(Random& random, double ulps);
 Predicate_case nested_touching(Random& random, double dimension);
 Predicate_case nested(Random& random, double distance);
@@ -40,7 +40,7 @@ Predicate_case voxels(Random& random, double size);
 Predicate_case tangent_fan(Random& random, double valence);
 Predicate_case swept_primitives(Random& random, double kind);
 
-// predicate_families_thin.cpp: triangles, tetrahedra and angles that are nearly nothing
+// thin.cpp: triangles, tetrahedra and angles that are nearly nothing
 Predicate_case sliver(Random& random, double h);
 Predicate_case needle(Random& random, double a);
 Predicate_case nearly_collinear(Random& random, double ulps);
@@ -48,7 +48,7 @@ Predicate_case degenerate_face(Random& random, double kind);
 Predicate_case near_parallel_edges(Random& random, double a);
 Predicate_case many_faces(Random& random, double triangles);
 
-// predicate_families_numbers.cpp: where the doubles are scarce, or end
+// numbers.cpp: where the doubles are scarce, or end
 Predicate_case far_from_origin(Random& random, double f);
 Predicate_case mixed_scales(Random& random, double s);
 Predicate_case cancelled_translation(Random& random, double f);
@@ -58,7 +58,7 @@ Predicate_case float_widened(Random& random, double bits);
 Predicate_case wild(Random& random, double exponents);
 Predicate_case tiny_fractions(Random& random, double exponent);
 
-// predicate_families_poses.cpp: contacts under exact, rounded and nearly singular poses
+// poses.cpp: contacts under exact, rounded and nearly singular poses
 Predicate_case special_poses(Random& random, double which);
 Predicate_case true_rotation(Random& random, double largest);
 Predicate_case shear(Random& random, double largest);
@@ -66,7 +66,7 @@ Predicate_case nearly_singular(Random& random, double d);
 Predicate_case drifted_rotation(Random& random, double n);
 Predicate_case swept_contact(Random& random, double bisections);
 
-// predicate_families_coverings.cpp: what inclusion in a solid stumbles over; and the corpus
+// coverings.cpp: what inclusion in a solid stumbles over; and the corpus
 Predicate_case covering_elements(Random& random, double element);
 Predicate_case covering_apex(Random& random, double position);
 Predicate_case winding_axis(Random& random, double element);

@@ -37,6 +37,7 @@ using object_family::times;
 using Point = object_family::Exact_vector;
 using Tetra = std::array<Point, 4>;
 
+/// The points of a case: a tetrahedron v, and p, q, r.
 struct Scene {
   Tetra v;
   Point p, q, r;
@@ -77,10 +78,10 @@ Point inner_point(Random& random, const Tetra& v);
 /// coordinates of `bits` bits.
 Point element_point(Random& random, const Tetra& v, int n, int bits);
 
-/// a + s (b - a)
+/// Returns a + s (b - a).
 inline Point between(const Point& a, const Point& b, const Rational& s) { return sum(a, s, difference(b, a)); }
 
-/// v1 + a (v2 - v1) + b (v3 - v1)
+/// Returns v1 + a (v2 - v1) + b (v3 - v1).
 inline Point in_plane(const Tetra& v, const Rational& a, const Rational& b)
 {
   return sum(sum(v[1], a, difference(v[2], v[1])), b, difference(v[3], v[1]));
@@ -119,11 +120,14 @@ struct Frames {
   Rational scale = 1;  ///< of the scene, so that its points are doubles in the frames
 };
 
+/// How the frames a and b differ from the world's.
 enum class Frame_kind { identity, translation, permutation, true_rotation, rounded_rotation, shear };
+
+/// Returns random frames of a kind, or of any kind.
 Frames frames(Random& random, Frame_kind kind);
 Frames any_frames(Random& random);
 
-/// Frames a and b truly rotated, by quaternions of integers up to `size`.
+/// Returns frames a and b that are rotated exactly, by quaternions of integers up to `size`.
 Frames true_rotations(Random& random, int size);
 
 /// Returns the case whose placed points are the scene, scaled and moved by `common`, exactly; nothing when a point is

@@ -10,6 +10,7 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
+/// Returns the three inputs from `first` on.
 template <class Number>
 std::array<Number, 3> triple(const std::vector<Number>& in, int first)
 {
@@ -31,6 +32,7 @@ std::array<Number, 4> placed_terms(const std::vector<Number>& in)
 {
   return kernel::placed_terms(entry(in[0]), entry(in[1]), entry(in[2]), entry(in[3]), triple(in, 4));
 }
+/// Returns the four slices of these terms.
 inline std::vector<Slice> slices_of_placed()
 {
   return {{1, 0, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 0, 1}, {0, 0, 0, 1, 0, 0, 0}};
@@ -46,6 +48,7 @@ Rational loss(const Bound& bound)
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds adaptive_proofs()
 {
   namespace bound = kernel::adaptive_bound;

@@ -14,11 +14,13 @@ class Axis_number {
   Axis_number() = default;
   Axis_number(const Number& number) : any_({number}) {}
 
+  /// Returns the number. Requires that this is no maximum of several.
   const Number& one() const
   {
     assert(any_.size() == 1);
     return any_[0];
   }
+  /// Returns all numbers that it may be.
   const std::vector<Number>& any() const { return any_; }
 
   friend Axis_number Add(const Axis_number& a, const Axis_number& b) { return a.one() + b.one(); }

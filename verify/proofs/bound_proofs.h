@@ -9,6 +9,7 @@
 /// The constants of kernel/bound/bounds.h and cone_coordinates.h, of sound tests in double.
 namespace tetracone::verify::proofs {
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds bound_proofs()
 {
   using Count = Rounding_count;

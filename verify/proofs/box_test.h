@@ -36,8 +36,8 @@ struct Box_test {
   Floats all(const Number& x) const { return x; }
   bool holds_triangle() const { return is_triangle; }
 
-  /// The positions of the inputs in a slice: axes of the eight boxes, edges or axes of the single box, turning
-  /// directions.
+  /// The positions of the inputs in a slice: centres and extents, axes of the eight boxes, edges or axes of the single
+  /// box, turning directions.
   enum Place {
     single_centre = 0,
     centre = 3,

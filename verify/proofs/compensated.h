@@ -27,7 +27,7 @@ class Remainder_share {
   friend Remainder_share operator-(const Remainder_share& a) { return a; }
   friend Remainder_share abs(const Remainder_share& a) { return Remainder_share(a.most_, false); }
 
-  /// Upper bound of the rounding errors in adding remainders, since it was set to 0.
+  /// Upper bound of the rounding errors in adding remainders, by this thread since it was set to 0.
   static Rational& lost()
   {
     static thread_local Rational all = 0;

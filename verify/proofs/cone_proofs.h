@@ -54,6 +54,7 @@ inline Rational error_of_slope()
 
 }  // namespace detail
 
+/// Returns their proofs, in exact rationals.
 inline Proved_bounds cone_proofs()
 {
   using Cells = kernel::Cone_cells;

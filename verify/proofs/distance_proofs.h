@@ -46,6 +46,7 @@ Number plane_side(const std::vector<Number>& in)
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds distance_proofs()
 {
   namespace td = kernel::triangle_distance;

@@ -26,6 +26,7 @@ std::array<Lanes<Number, 2>, 4> offset_terms(const std::vector<Number>& in)
           pair(terms(7, 11, 0), terms(7, 11, 1)), pair(terms(7, 11, 2), translation(7))};
 }
 
+/// Returns the eight slices of these terms.
 inline std::vector<Slice> slices_of_offset()
 {
   std::vector<Slice> slices;
@@ -53,6 +54,7 @@ inline Rational remainder_loss()
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds frame_proofs()
 {
   using Count = Rounding_count;

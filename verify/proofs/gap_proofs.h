@@ -17,6 +17,7 @@ namespace detail {
 /// Numbers of inputs of the expressions below: those of a comparison, and three more numbers behind them.
 inline constexpr std::size_t more = Place::end, gap_inputs = more + 3;
 
+/// Returns the comparison for a triangle's box of these inputs.
 template <bool fused, class Number>
 Box_test<Number, fused> box_test(const std::vector<Number>& in, Edges edges)
 {
@@ -94,6 +95,7 @@ struct Losses_of_gap {
   Rational beyond = 0;     ///< of the gap there, a share of itself
 };
 
+/// Returns these errors, with fused products or without.
 template <bool fused>
 Losses_of_gap losses_of_gap()
 {
@@ -121,6 +123,7 @@ Losses_of_gap losses_of_gap()
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds gap_proofs()
 {
   using detail::Kind;

@@ -97,8 +97,8 @@ class Gappa_script {
     return definitions + "{ " + (assumptions.empty() ? "" : assumptions + " ->\n  ") + goals + " }\n";
   }
 
-  /// Returns the requested enclosures, as Gappa proves them. Throws std::runtime_error with Gappa's message when it
-  /// fails.
+  /// Returns the requested enclosures, as Gappa proves them. It runs the program gappa, found in PATH. Throws
+  /// std::runtime_error with Gappa's message when it fails.
   std::vector<Enclosure> prove() const;
 
  private:
@@ -157,7 +157,7 @@ inline std::string output_of(const std::string& command)
   return output;
 }
 
-/// Saves a script in the folder that TETRACONE_KEEP_PROOFS names, if it is set, for check_with_coq.sh.
+/// Saves a script in the folder that TETRACONE_KEEP_PROOFS names, if it is set, for check_with_coq.sh. Not thread-safe.
 inline void keep(const std::string& script)
 {
   static int count = 0;

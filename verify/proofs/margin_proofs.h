@@ -89,6 +89,7 @@ inline Rational underflow_of_boxes()
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds margin_proofs()
 {
   using Containment = tetratree::Bvh8_containment<>;

@@ -85,6 +85,7 @@ inline Rational error_of_value(std::size_t count)
 
 }  // namespace detail
 
+/// Returns their proofs, in exact rationals.
 inline Proved_bounds motion_proofs()
 {
   namespace filter = kernel::motion_filter;

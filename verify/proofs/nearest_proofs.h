@@ -36,6 +36,7 @@ Number row_of_gram(const std::vector<Number>& in)
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds nearest_proofs()
 {
   using Ball = kernel::Double_double_ball;

@@ -71,6 +71,7 @@ Rational rounding_of_way(Frame_of frame)
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds obb8_distance_proofs()
 {
   using detail::Frame_of;

@@ -20,6 +20,7 @@ using Place = Box_test<Recorded<Exact>, true>;
 /// extents, and the sum of the single box's extents.
 using Shares = std::array<Rational, 4>;
 
+/// Returns the gaps along all axes for these inputs, in the order of `gaps_of`.
 template <class Arithmetic, bool fused>
 std::vector<Recorded<Arithmetic>> gaps(const std::vector<Recorded<Arithmetic>>& in, Edges edges, bool triangle)
 {
@@ -49,13 +50,15 @@ inline std::vector<Slice> slices_of_box(int scale, bool two_axes, Edges edges, b
   return slices;
 }
 
-/// The rounding error of the gap for each kind of axis and for a triangle's sides. Gappa bounds it for single products
-/// of the inputs; the bound is multiplied by the number of products in a gap. All inputs except the scale are
-/// components of vectors of length about 1. By Cauchy and Schwarz, the sums of their products are therefore at most 1.
-/// The number is 3 for a normal of the single box, and 2 for a product of two axes. Along that normal, the centres'
-/// distance is a sum over all three axes of the eight boxes.
+/// A kind of axis: a normal of the eight boxes, one of the single box, a cross product, or a normal of a triangle's
+/// side.
 enum class Kind { own, other, across, triangle };
 
+/// Returns the rounding error of the gap for each kind of axis. Gappa bounds it for single products of the inputs; the
+/// bound is multiplied by the number of products in a gap. All inputs except the scale are components of vectors of
+/// length about 1. By Cauchy and Schwarz, the sums of their products are therefore at most 1. The number is 3 for a
+/// normal of the single box, and 2 for a product of two axes. Along that normal, the centres' distance is a sum over
+/// all three axes of the eight boxes.
 template <bool fused>
 std::array<Shares, 4> rounding_of_gaps(Edges edges, bool triangle)
 {
@@ -147,6 +150,7 @@ inline Shares shares_of(Edges edges, Kind kind, const Rational& d, const Rationa
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds obb8_proofs()
 {
   using detail::Kind;

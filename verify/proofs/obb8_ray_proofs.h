@@ -16,6 +16,7 @@ struct Ray_shares {
   Rational at = 0, reach = 0;               ///< of an entry, times the step
 };
 
+/// Enlarges the shares to those with fused products, or without.
 template <bool fused>
 void enlarge(Ray_shares& shares)
 {
@@ -50,6 +51,7 @@ void enlarge(Ray_shares& shares)
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds obb8_ray_proofs()
 {
   using kernel::Local_ray;

@@ -7,15 +7,16 @@ namespace tetracone::verify::proofs {
 
 /// The reason why a constant has no row of its own among the proofs.
 enum class Constant_kind {
-  unit,    ///< it is a property of a number type
+  unit,    ///< it is exact: a property of a number type, a scale or a count
   choice,  ///< it decides how fast an answer is found, and never which
   gate,    ///< a limit that the code tests: beyond it no bound is used, so proofs take it as given
   term,    ///< it stands in the proof of another constant, which the reason names
-  tested,  ///< a test beside the proofs checks it, which the reason names
+  tested,  ///< a test checks it, whose file is the reason
   by_hand  ///< it is an error bound that no machine checks
 };
 
-/// A constant of the package without a proof; `name` is its name, or the literal in an expression.
+/// A constant of the package without a proof; `name` is its name, or the literal in an expression. `reason` says why it
+/// needs none.
 struct Other_constant {
   const char *file, *name;
   Constant_kind kind;

@@ -10,9 +10,9 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// A constant of an error bound in the code, and the least value that is proved to be enough, in the same unit.
+/// A constant of an error bound in the code, and the least value that is proved to be enough. Both are plain numbers.
 struct Proved_bound {
-  std::string name, file;
+  std::string name, file;  ///< the file that defines the constant, below its package's folder
   Rational in_code, proved;
   double unit;             ///< the unit in which tables show both: u, u^2, 1, or another one
   double loosest;          ///< in_code over proved may be at most this; a test finds a constant that became loose

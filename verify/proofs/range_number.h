@@ -48,7 +48,7 @@ class Range_number {
 
   const Rational& lost() const { return lost_; }
 
-  /// The largest of all numbers made since it was set to 0.
+  /// The largest of all numbers that this thread has made since it was set to 0.
   static Rational& largest()
   {
     static thread_local Rational of_all = 0;

@@ -23,6 +23,7 @@ Number determinant_of_differences(const std::vector<Number>& in)
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds ray_proofs()
 {
   using Ray = kernel::Ray_triangle;

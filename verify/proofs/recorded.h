@@ -10,7 +10,7 @@
 namespace tetracone::verify::proofs {
 
 // Arithmetics. Each writes the result of an operation, given its exact expression; `entry` is the result for an entry
-// of a pose, which may stand for a fraction.
+// of a pose, which may stand for a fraction. IEEE's have none: an expression with entries cannot be run with them.
 
 /// The exact arithmetic, without rounding.
 struct Exact {
@@ -61,7 +61,8 @@ struct Relative_double_double {
 };
 
 /// A number that records its computation: a template over its number type, run with these, writes its own script. A
-/// factor or a term 0 is known to be 0; a product with it is 0, but a sum with it is still rounded.
+/// factor or a term 0 is known to be 0; a product with it is 0, but a sum with it is still rounded. Constants belong to
+/// no script; an operation requires that an operand belongs to one, unless its result is 0.
 template <class Arithmetic>
 class Recorded {
  public:

@@ -16,6 +16,7 @@
 /// reference of a span of time, and the front of a pair of bodies.
 namespace tetracone::verify::proofs {
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds reference_proofs()
 {
   using detail::Kind;

@@ -8,9 +8,10 @@
 
 namespace tetracone::verify::proofs {
 
-/// A computed number that is not negative, made by sums and products of such numbers. It is between (1 - u)^n and (1 +
-/// u)^n times the exact one, where n is the number of roundings on the longest path to it. An expression run with these
-/// gives the rounding error of a bound's own computation.
+/// A computed number that is not negative, made by sums, products and quotients of such numbers. It is at least (1 -
+/// u)^n times the exact one, where n is the number of roundings on the longest path to it. Without quotients by rounded
+/// numbers it is also at most (1 + u)^n times the exact one. An expression run with these gives the rounding error of a
+/// bound's own computation.
 class Rounding_count {
  public:
   explicit Rounding_count(double = 0) {}
@@ -39,7 +40,7 @@ class Rounding_count {
 
   int count() const { return count_; }
 
-  /// (1 - u)^n.
+  /// Returns (1 - u)^n.
   Rational least(const Rational& u) const { return power(Rational(1 - u), count_); }
 
  private:

@@ -99,6 +99,7 @@ Rational growth(const Lost& lost)
 
 }  // namespace detail
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds scene_proofs()
 {
   const double u = kernel::unit_roundoff<double>, of_float = kernel::unit_roundoff<float>;

@@ -13,6 +13,7 @@
 /// kernel/bound/obb8.h.
 namespace tetracone::verify::proofs {
 
+/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds separation_proofs()
 {
   using tetratree::Separating_direction, tetratree::Support_table;

@@ -119,7 +119,9 @@ Rational largest_result(const Expression& expression, const std::vector<Range>& 
   return largest;
 }
 
+/// Returns the largest. Requires an error.
 inline Rational largest(const std::vector<Rational>& errors) { return *std::max_element(errors.begin(), errors.end()); }
+/// Returns the sum; 0 if there are none.
 inline Rational sum(const std::vector<Rational>& errors)
 {
   Rational all = 0;

@@ -31,11 +31,13 @@ struct Changed_body {
   }
 };
 
+/// Returns the body in a form that cases share.
 inline std::shared_ptr<const covering::Polyhedron> as_shared(covering::Polyhedron body)
 {
   return std::make_shared<const covering::Polyhedron>(std::move(body));
 }
 
+/// Returns copies of a face's loops.
 inline std::vector<std::vector<covering::Index>> loops_of(const covering::Polyhedron& polyhedron, covering::Index f)
 {
   std::vector<std::vector<covering::Index>> loops;
@@ -46,6 +48,7 @@ inline std::vector<std::vector<covering::Index>> loops_of(const covering::Polyhe
   return loops;
 }
 
+/// Brings a sequence into any order; equal seeds give equal orders on every machine.
 template <class Sequence>
 void shuffle(Sequence& sequence, Random& random)
 {

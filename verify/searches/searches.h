@@ -19,6 +19,7 @@ namespace tetracone::verify::proofs {
 
 using Inputs = std::vector<double>;
 
+/// A search for one constant.
 struct Search {
   std::size_t inputs;              ///< their number
   double (*share)(const Inputs&);  ///< returns the error for these inputs, in the constant's unit
@@ -37,20 +38,22 @@ Searches ray_searches();
 /// exists. Equal seeds find equal errors.
 double worst_found(const std::string& name, int steps, unsigned seed);
 
-/// Returns why no search exists for a constant's worst error; empty if one exists.
+/// Returns why no search exists for a constant's worst error; empty if one exists, and for an unknown name.
 std::string why_not_searched(const std::string& name);
 
 namespace detail {
 
 constexpr double u = kernel::unit_roundoff<double>, u_of_float = kernel::unit_roundoff<float>;
 
+/// Returns the three inputs from `first` on.
 inline std::array<double, 3> at(const Inputs& in, int first) { return {in[first], in[first + 1], in[first + 2]}; }
+/// Returns the vector in rationals.
 inline std::array<Rational, 3> exactly(const std::array<double, 3>& v)
 {
   return {Rational(v[0]), Rational(v[1]), Rational(v[2])};
 }
 
-/// |computed - exact| relative to `scale`.
+/// Returns |computed - exact| / scale, rounded; 0 if the scale is 0.
 inline double share(double computed, const Rational& exact, double scale)
 {
   return scale > 0 ? Rational(abs(Rational(Rational(computed) - exact))).get_d() / scale : 0;
@@ -117,6 +120,7 @@ double sum_of_terms(const std::array<Tracked<Float>, 3>& a, const std::array<Tra
   return sum;
 }
 
+/// Returns error / scale; 0 if the scale is 0.
 inline double ratio(double error, double scale) { return scale > 0 ? error / scale : 0; }
 
 }  // namespace detail

@@ -19,6 +19,7 @@ struct Tracked {
   explicit Tracked(double x) : computed(Float(x)), exact(computed) {}
   Tracked(Float c, Rational e) : computed(c), exact(std::move(e)) {}
 
+  /// Returns |computed - exact|, rounded.
   double error() const { return Rational(abs(Rational(Rational(computed) - exact))).get_d(); }
 
   friend Tracked operator+(const Tracked& a, const Tracked& b)

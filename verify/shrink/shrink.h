@@ -22,8 +22,12 @@ struct Case_size {
 
   friend auto operator<=>(const Case_size&, const Case_size&) = default;
 };
+
+/// Returns the complexity of a case.
 Case_size size_of(const Object_case& c);
 Case_size size_of(const Predicate_case& c);
+
+/// Returns the number of faces of both bodies.
 std::size_t face_count(const Object_case& c);
 
 /// The limits at which shrinking stops, finished or not.
@@ -43,6 +47,9 @@ using Predicate_check = std::function<bool(const Predicate_case&)>;
 /// volume does not become 0 either. Requires such a `c`, for which it holds.
 Object_case shrink(Object_case c, kernel::Question question, const Object_check& still_wrong,
                    const Shrink_budget& budget = {});
+
+/// Returns the smallest case found for which `still_wrong` holds, by simpler numbers and poses. `still_wrong` is asked
+/// only of cases with det M != 0. Requires that it holds for `c`.
 Predicate_case shrink(const Predicate_case& c, const Predicate_check& still_wrong, const Shrink_budget& budget = {});
 
 /// Returns the answer to an object case by `cgal_truth.h`.
@@ -52,8 +59,8 @@ bool true_answer(const Object_case& c, kernel::Question question);
 /// answer may be that it fails. The subject must outlive the check.
 Object_check same_error(Running_subject& subject, kernel::Question question, Outcome answer, bool truth);
 
-/// Returns a check that a subject lists a pair of features that does not meet, or misses one. If the original did both,
-/// the missed pair counts.
+/// Returns a check that a subject misses a pair of features that meets or, without `misses`, lists one that does not.
+/// An original that did both is checked with `misses`. The subject must outlive the check.
 Object_check same_error_of_features(Running_subject& subject, bool misses);
 
 /// Returns such a check for a predicate. If the triangles and the segment of the predicate are not degenerate in `c`,

@@ -10,8 +10,8 @@
 namespace tetracone::verify {
 
 /// Tries every way to make a polyhedron smaller that keeps it closed if the question is `solid`: fewer faces, loops,
-/// corners, vertices. It keeps every change that `accept` accepts. `accept` is asked of smaller polyhedra only; some
-/// may have faces that are not planar.
+/// corners, vertices. It keeps every change that `accept` accepts. `accept` is first asked of the polyhedron without
+/// unused vertices, which may be the polyhedron itself; then of smaller ones. Some may have faces that are not planar.
 void shrink_faces(covering::Polyhedron polyhedron, kernel::Question question,
                   const std::function<bool(const covering::Polyhedron&)>& accept);
 

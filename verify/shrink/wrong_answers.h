@@ -28,6 +28,8 @@ Case_file case_file_of(const Object_case& c, kernel::Question question, const Ob
 /// Returns a case file for a list of features. It asks for the surfaces, and the cause gives the numbers of missed and
 /// invented pairs.
 Case_file case_file_of(const Object_case& c, const Object_subject& subject, const Told<Feature_pairs>& listed);
+/// Returns a case file of a predicate's case. The cause begins with `subject`, and ends with the predicate's name.
+/// Requires a case that has a truth.
 Case_file case_file_of(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, int answer);
 
 }  // namespace tetracone::verify

@@ -65,6 +65,8 @@ class Prepared_pair {
  public:
   virtual ~Prepared_pair() = default;
 
+  /// Returns the answer, the relation by which it is found, or the pairs of features in contact, sorted. The question
+  /// of solids requires closed polyhedra.
   virtual bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) = 0;
   virtual kernel::Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
                                     kernel::Question question) = 0;
@@ -79,7 +81,8 @@ class Prepared_pair {
   /// Returns the work since the last call; zero for a method that counts nothing.
   virtual tetratree::Query_statistics take_counts() = 0;
 
-  /// Returns the bytes of both trees, and the number of their nodes.
+  /// Returns the bytes of both trees, and the number of their nodes, as far as the question of surfaces needs them; 0
+  /// for the truth.
   virtual std::size_t bytes() const = 0;
   virtual std::size_t node_count() const = 0;
 };

@@ -33,6 +33,7 @@ Object_case at_start(const Moving_bodies& bodies, const Origin& origin = {});
 /// True when they collide at t = 0.
 bool truly_collide_at_start(const Moving_bodies& bodies, kernel::Question question);
 
+/// The verdict on a first contact.
 enum class Bracket { holds, violated, undecided };
 
 /// Judges `first` by distances. Exact distances of the placed surfaces at rational times, and an upper bound of the

@@ -16,6 +16,7 @@ class Nearest_truth {
  public:
   using Point = Exact::Point_3;
 
+  /// Requires planar faces.
   explicit Nearest_truth(const covering::Polyhedron& polyhedron)
   {
     const auto at = [&](covering::Index v) {
@@ -52,6 +53,7 @@ class Nearest_truth {
     return nearest;
   }
 
+  /// Returns face f in rationals.
   const Planar_face& face(covering::Index f) const { return faces_[f]; }
 
  private:

@@ -5,7 +5,7 @@
 
 namespace tetracone::verify {
 
-/// Runs two functions at once, each in its own thread, for `covering::Both`.
+/// Runs two functions at once, for `covering::Both`: the first in the calling thread, the second in one of its own.
 struct At_once {
   template <class One, class Other>
   void operator()(const One& one, const Other& other) const

@@ -10,6 +10,7 @@
 /// Cones about an origin.
 namespace tetracone::verify::scenes {
 
+/// Returns a random cone of this level. Requires level >= 1, the octants'.
 inline tetratree::Tetra_cone random_cone(Random& random, int level)
 {
   tetratree::Tetra_cone cone = tetratree::Tetra_cone::octant(integer(random, 0, 7));
@@ -17,6 +18,7 @@ inline tetratree::Tetra_cone random_cone(Random& random, int level)
   return cone;
 }
 
+/// Returns all cones of this level. Requires level >= 1.
 inline std::vector<tetratree::Tetra_cone> cones_of_level(int level)
 {
   std::vector<tetratree::Tetra_cone> cones;
@@ -37,6 +39,7 @@ inline rationals::Vector ray(const tetratree::Tetra_cone& cone, int k)
   return {d[0], d[1], d[2]};
 }
 
+/// Returns the determinant of the cone's rays.
 inline Rational determinant(const tetratree::Tetra_cone& cone)
 {
   return rationals::determinant(ray(cone, 0), ray(cone, 1), ray(cone, 2));

@@ -7,7 +7,8 @@
 
 namespace tetracone::verify::scenes {
 
-/// Returns the folder of real data, which is not part of the project; TETRACONE_DATA names another one.
+/// Returns the folder of real data, which is not part of the project. The environment variable TETRACONE_DATA names it;
+/// else it is shared/data beside the project's folder.
 inline std::filesystem::path data_folder()
 {
   const char* const named = std::getenv("TETRACONE_DATA");

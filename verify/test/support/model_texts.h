@@ -12,6 +12,7 @@
 /// Texts of models, and what the readers say of them.
 namespace tetracone::verify::texts {
 
+/// The folder of models for tests, with its last slash.
 inline const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
 
 /// A tetrahedron in two formats, and their parts.

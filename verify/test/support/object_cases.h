@@ -11,6 +11,7 @@
 /// Cases of two bodies, and bodies that no family makes: with faces of no area, and of loops that cross.
 namespace tetracone::verify::scenes {
 
+/// Returns a case of two bodies in these poses, whose answers are not known.
 inline Object_case object_case(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b, const Pose& pose_b)
 {
   return {std::make_shared<const Polyhedron>(a), std::make_shared<const Polyhedron>(b), pose_a, pose_b, {}, {}, {}};

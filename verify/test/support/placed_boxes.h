@@ -32,6 +32,7 @@ inline kernel::Vector solved(const kernel::Matrix& m, const kernel::Vector& v)
   return kernel::Vector(yz.dot(v), zx.dot(v), xy.dot(v)) / yz.dot(m.col(0));
 }
 
+/// Writes a box into a lane, rounded to float; its edges are the columns of `axes`.
 inline void set(kernel::Obb8& boxes, int lane, const kernel::Vector& centre, const kernel::Matrix& axes,
                 const kernel::Vector& extent)
 {
@@ -42,6 +43,7 @@ inline void set(kernel::Obb8& boxes, int lane, const kernel::Vector& centre, con
   }
 }
 
+/// Returns random axes of a box, orthonormal up to rounding.
 inline kernel::Matrix random_axes(Random& random) { return kernel::detail::axes_from(vector(random), vector(random)); }
 
 /// Returns extents below 1. In about one call of three, one of them is 0, as for a triangle.
@@ -115,7 +117,7 @@ inline rationals::Vector point(const kernel::Obb8& boxes, int lane, const std::a
   return p;
 }
 
-/// Two bodies, and their local units.
+/// The poses of two bodies, and their local units.
 struct Placing {
   kernel::Pose a, b;
   kernel::Local_scale in_a, in_b;

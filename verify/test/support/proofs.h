@@ -18,7 +18,8 @@ inline bool skipped_without_gappa()
   return true;
 }
 
-/// Checks that each constant is at least the proved value, and at most the recorded factor above it.
+/// Checks that each constant is at least the proved value, and at most the recorded factor above it. That factor must
+/// be less than 2 % above the present one.
 inline void check_proved(const Proved_bounds& bounds)
 {
   BOOST_TEST(!bounds.empty());

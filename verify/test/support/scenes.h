@@ -34,6 +34,8 @@ namespace rationals = verify::rationals;
 
 using Random = std::mt19937_64;
 
+/// Returns an integer from `low` to `high`, or a number between them. Vertices have such coordinates from -radius to
+/// radius.
 inline int integer(Random& random, int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); }
 inline double real(Random& random, double low, double high)
 {
@@ -101,6 +103,7 @@ Polyhedron without(const Polyhedron& body, const Goes& goes)
     if (!goes(f)) append_face(result, body, f, false);
   return result;
 }
+/// Returns the body without its last face.
 inline Polyhedron without_last_face(const Polyhedron& body)
 {
   return without(body, [&](Index f) { return f + 1 == body.face_count(); });
@@ -213,6 +216,7 @@ inline Polyhedron prism(const std::vector<std::array<double, 2>>& polygon, doubl
   for (Index k = 0; k < n; ++k) result.add_polygon({k, (k + 1) % n, n + (k + 1) % n, n + k});
   return result;
 }
+/// Returns a prism of height 2 over a star of four points.
 inline Polyhedron star_prism()
 {
   return prism({{3, 0}, {1, 1}, {0, 3}, {-1, 1}, {-3, 0}, {-1, -1}, {0, -3}, {1, -1}}, 2);
@@ -365,6 +369,7 @@ inline Polyhedron shuffled(const Polyhedron& body, Random& random)
   return result;
 }
 
+/// Returns the translation by (x, y, z).
 inline Pose translation(double x, double y, double z)
 {
   return Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
@@ -407,6 +412,7 @@ inline Pose random_affine(Random& random, int radius = 3)
   }
 }
 
+/// A body and its name in messages.
 struct Named {
   std::string name;
   Polyhedron body;

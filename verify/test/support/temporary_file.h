@@ -11,7 +11,7 @@
 
 namespace tetracone::verify {
 
-/// Returns a path for this process in the system's folder for temporary files.
+/// Returns a path for this process in the system's folder for temporary files. Equal names give one path.
 inline std::filesystem::path temporary_path(const std::string& name)
 {
   return std::filesystem::temp_directory_path() / ("tetracone_" + std::to_string(::getpid()) + "_" + name);

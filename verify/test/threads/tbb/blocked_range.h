@@ -5,6 +5,7 @@
 
 namespace tbb {
 
+/// The values from `begin` to `end`, taken `at_least` at a time: oneTBB's class, as `parallel_for` here needs it.
 template <class Value>
 class blocked_range {
  public:

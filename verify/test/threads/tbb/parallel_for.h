@@ -12,7 +12,8 @@
 
 namespace tbb {
 
-/// Calls what(part) for parts of the range of its grain size, in as many threads as an arena has.
+/// Calls what(part) for parts of the range of its grain size, the last one perhaps smaller, in as many threads as an
+/// arena has.
 template <class Range, class What>
 void parallel_for(const Range& range, const What& what)
 {

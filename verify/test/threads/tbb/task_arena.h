@@ -5,12 +5,14 @@
 /// inside a library that is not built with it.
 namespace tbb {
 
+/// The number of the thread in a `parallel_for`, 0 outside; and the number of threads.
 namespace this_task_arena {
 inline thread_local int thread_index = 0;
 inline int current_thread_index() { return thread_index; }
 inline int max_concurrency() { return 4; }
 }  // namespace this_task_arena
 
+/// Runs functions in the calling thread.
 class task_arena {
  public:
   explicit task_arena(int) {}
