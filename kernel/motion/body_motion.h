@@ -206,8 +206,8 @@ class Pair_motion {
                                        Odd_double(v[2]).over(least), Odd_double(1).over(least)};
     Form_vector image;
     for (int i = 0; i < 3; ++i) {
-      image[i] = entry_[body][4 * i] * by[0];
-      for (int j = 1; j < 4; ++j) image[i] += entry_[body][4 * i + j] * by[j];
+      image[i].clear(size_);
+      for (int j = 0; j < 4; ++j) image[i].add_product(entry_[body][4 * i + j], by[j]);
     }
     return image;
   }

@@ -136,17 +136,21 @@ class Integer_form {
     return sum;
   }
 
-  /// Returns a form with the roots of this one in (0, 1). It is without factors s and t, which have none there, and
-  /// without common divisors of the coefficients. It is empty for the zero form.
+  /// Returns a form with the roots of this one in (0, 1). It is without factors s, t and s + t, which have none there,
+  /// and without common divisors of the coefficients. It is empty for the zero form.
   Integer_form primitive() const
   {
     Integer_form result;
     std::size_t begin = 0, end = size();
     while (begin < end && sgn(coefficients_[begin]) == 0) ++begin;
     while (begin < end && sgn(coefficients_[end - 1]) == 0) --end;
+    result.coefficients_.assign(coefficients_.begin() + std::ptrdiff_t(begin),
+                                coefficients_.begin() + std::ptrdiff_t(end));
+    while (result.is_divided_by_sum()) result.divide_by_sum();
     Integer divisor = 0;
-    for (std::size_t k = begin; k < end && divisor != 1; ++k) divisor = gcd(divisor, coefficients_[k]);
-    for (std::size_t k = begin; k < end; ++k) result.push_back(coefficients_[k] / divisor);
+    for (std::size_t k = 0; k < result.size() && divisor != 1; ++k) divisor = gcd(divisor, result[k]);
+    if (divisor > 1)
+      for (Integer& c : result.coefficients_) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), divisor.get_mpz_t());
     return result;
   }
 
@@ -190,6 +194,21 @@ class Integer_form {
   }
 
  private:
+  /// True when s + t divides the form.
+  bool is_divided_by_sum() const
+  {
+    Integer at_minus_one = 0;
+    for (std::size_t k = 0; k < size(); ++k) at_minus_one = coefficients_[size() - 1 - k] - at_minus_one;
+    return size() > 1 && at_minus_one == 0;
+  }
+
+  /// Divides the form by s + t, which divides it.
+  void divide_by_sum()
+  {
+    for (std::size_t k = size() - 1; k-- > 1;) coefficients_[k] -= coefficients_[k + 1];
+    coefficients_.erase(coefficients_.begin());
+  }
+
   /// Substitutes s + t for s.
   void shift()
   {

@@ -71,6 +71,8 @@ class Time_root {
   CGAL::Sign sign(const Integer_form& g)
   {
     if (exact_) return sign_at_dyadic(g);
+    // A linear form has its root at s : t = |f_1| : |f_0|. No cell is made smaller for it.
+    if (form_.size() == 2) return sign_of(g.at(abs(form_[1]), abs(form_[0])));
     if (g.is_zero()) return CGAL::ZERO;
     refine_at_once();
     if (exact_) return sign_at_dyadic(g);
