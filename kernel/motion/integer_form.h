@@ -136,8 +136,8 @@ class Integer_form {
     return sum;
   }
 
-  /// Returns a form with the roots of this one in (0, 1). It is without factors s, t and s + t, which have none there,
-  /// and without common divisors of the coefficients. It is empty for the zero form.
+  /// Returns a form with the roots of this one in (0, 1). It is without factors s and t, which have none there, and
+  /// without common divisors of the coefficients. It is empty for the zero form.
   Integer_form primitive() const
   {
     Integer_form result;
@@ -146,11 +146,18 @@ class Integer_form {
     while (begin < end && sgn(coefficients_[end - 1]) == 0) --end;
     result.coefficients_.assign(coefficients_.begin() + std::ptrdiff_t(begin),
                                 coefficients_.begin() + std::ptrdiff_t(end));
-    while (result.is_divided_by_sum()) result.divide_by_sum();
     Integer divisor = 0;
     for (std::size_t k = 0; k < result.size() && divisor != 1; ++k) divisor = gcd(divisor, result[k]);
     if (divisor > 1)
       for (Integer& c : result.coefficients_) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), divisor.get_mpz_t());
+    return result;
+  }
+
+  /// Returns `primitive()` without factors s + t, which have no roots in (0, 1) either. Raised forms have them.
+  Integer_form reduced() const
+  {
+    Integer_form result = primitive();
+    while (result.is_divided_by_sum()) result.divide_by_sum();
     return result;
   }
 
@@ -279,7 +286,7 @@ inline Integer_form quotient(const Integer_form& f, const Integer_form& g)
 /// Returns the primitive form with the roots of f in (0, 1), each once. Requires that f is not zero.
 inline Integer_form without_squares(const Integer_form& f)
 {
-  const Integer_form p = f.primitive();
+  const Integer_form p = f.reduced();
   if (p.size() < 3) return p;
   Integer_form derivative;
   for (std::size_t k = 1; k < p.size(); ++k) derivative.push_back(p[k] * static_cast<unsigned long>(k));

@@ -267,7 +267,7 @@ inline std::vector<Time_root> roots_within(const Integer_form& form, const Time_
   const int variations = there.variations();
   if (variations == 0) return found;
   if (variations == 1) {
-    found.emplace_back(form.primitive(), std::move(there), cell.m, cell.k);
+    found.emplace_back(form.reduced(), std::move(there), cell.m, cell.k);
     return found;
   }
   const Integer_form simple = without_squares(form);
