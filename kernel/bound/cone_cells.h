@@ -31,7 +31,7 @@ inline constexpr double cone_side_bound = 0x1p-44;
 template <class Number>
 Number cone_determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b, const std::array<Number, 3>& p)
 {
-  return (a[1] * b[2] - a[2] * b[1]) * p[0] + (a[2] * b[0] - a[0] * b[2]) * p[1] + (a[0] * b[1] - a[1] * b[0]) * p[2];
+  return determinant(a, b, p);
 }
 /// Returns the sign of det[a, b, p], 0 where the filter is uncertain.
 inline int cone_side(const Local_point& a, const Local_point& b, const Local_point& p)
@@ -62,10 +62,7 @@ template <class Number>
 Number plane_determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b, const std::array<Number, 3>& c,
                          const std::array<Number, 3>& p)
 {
-  const Number bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
-  const Number cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
-  return (by * cz - bz * cy) * (p[0] - a[0]) + (bz * cx - bx * cz) * (p[1] - a[1]) +
-         (bx * cy - by * cx) * (p[2] - a[2]);
+  return determinant(difference(b, a), difference(c, a), difference(p, a));
 }
 /// Returns the side of the plane a b c on which p lies, 0 where the filter is uncertain.
 inline int plane_side(const Local_point& a, const Local_point& b, const Local_point& c, const Local_point& p)
@@ -89,12 +86,6 @@ struct Local_facet {
   // Both are proved in verify/proofs/cone_proofs.h.
   static constexpr double normal_error = 0x1p-46,  ///< upper bound of the error of a component of the normal
       offset_error = 0x1p-43;                      ///< upper bound of the error of the offset
-
-  template <class Number>
-  static std::array<Number, 3> normal_of(const std::array<std::array<Number, 3>, 3>& t)
-  {
-    return cross(difference(t[1], t[0]), difference(t[2], t[0]));
-  }
 };
 
 /// Cells of directions about an origin. Each octant of the octahedron |x| + |y| + |z| = 1 has an n x n lattice, whose

@@ -36,13 +36,7 @@ struct alignas(32) Box_corners {
     }
   }
 
-  explicit Box_corners(const Obb8& boxes, int lane)
-  {
-    std::array<Row, 3> half_edge;
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k) half_edge[j][k] = double(boxes.extent[j][lane]) * double(boxes.axis[j][k][lane]);
-    *this = Box_corners(centre_of(boxes, lane), half_edge);
-  }
+  explicit Box_corners(const Obb8& boxes, int lane) : Box_corners(centre_of(boxes, lane), half_edges_of(boxes, lane)) {}
 };
 
 /// The place of a body in the frame of another: the part of a `Box_map` that its motion needs.

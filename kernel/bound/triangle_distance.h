@@ -164,7 +164,7 @@ inline double least_gap(const Double_triangle& a, const Double_triangle& b, cons
   const double length = std::sqrt(dot(n, n));
   // Below that, products of n underflow.
   if (!(length > 0x1p-400)) return 0;
-  const double gap = td::least_along(n, b) + td::least_along({-n[0], -n[1], -n[2]}, a);
+  const double gap = td::least_along(n, b) + td::least_along(negated(n), a);
   return td::below(gap, length, td::slack(position_error, largest));
 }
 

@@ -2,7 +2,6 @@
 #define TETRACONE_KERNEL_CONTACT_CORNER_POINT_H
 
 #include "tetracone/kernel/number/products.h"
-#include "tetracone/kernel/number/vertex.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
 
 #include <array>
@@ -13,16 +12,6 @@ namespace tetracone::kernel {
 /// A point over a number type N. It is exact in rationals, and an enclosure in intervals.
 template <class N>
 using Number_point = std::array<N, 3>;
-
-/// Returns the image of a vertex under the twelve numbers of a pose.
-template <class N>
-Number_point<N> image(const Vertex& x, const std::array<N, 12>& m)
-{
-  Number_point<N> image;
-  for (int k = 0; k < 3; ++k)
-    image[k] = m[4 * k] * N(x[0]) + m[4 * k + 1] * N(x[1]) + m[4 * k + 2] * N(x[2]) + m[4 * k + 3];
-  return image;
-}
 
 namespace detail {
 
@@ -38,8 +27,7 @@ Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int 
                                    const std::array<Number_point<N>, 3>& q)
 {
   const Number_point<N>& from = p[edge];
-  const auto whole = difference(p[(edge + 1) % 3], from),
-             normal = cross(difference(q[1], q[0]), difference(q[2], q[0]));
+  const auto whole = difference(p[(edge + 1) % 3], from), normal = normal_of(q);
   return along(from, whole, N(dot(normal, difference(q[0], from)) / dot(normal, whole)));
 }
 

@@ -7,6 +7,7 @@
 #include "tetracone/kernel/predicate/face_contact.h"
 
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,6 @@ using Rational_point = std::array<Rational, 3>;  ///< also a vector
 /// Returns a vertex in rationals.
 inline Rational_point exact_point(const Vertex& v) { return {v[0], v[1], v[2]}; }
 
-inline bool is_zero(const Rational_point& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 /// Returns a + share (b - a).
 inline Rational_point between(const Rational_point& a, const Rational_point& b, const Rational& share)
 {
@@ -25,6 +25,9 @@ inline Rational_point between(const Rational_point& a, const Rational_point& b, 
   for (int k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
   return p;
 }
+
+/// Returns the largest magnitude of a coordinate.
+inline Rational longest_part(const Rational_point& a) { return abs(a[std::size_t(largest_axis(a))]); }
 
 /// True when x is in the inside of the segment from p to q.
 inline bool is_inside_segment(const Rational_point& x, const Rational_point& p, const Rational_point& q)
@@ -73,13 +76,7 @@ class Rational_face {
   }
 
   /// Returns the axis of the normal's largest magnitude: along it the face's projection is not flat.
-  int axis() const
-  {
-    int axis = 0;
-    for (int k = 1; k < 3; ++k)
-      if (abs(normal_[k]) > abs(normal_[axis])) axis = k;
-    return axis;
-  }
+  int axis() const { return largest_axis(normal_); }
 
   /// Returns the winding number of the loops about x, both as seen from the far end of axis k: signed crossings of a
   /// ray. Where x is seen on a loop, it counts as moved by an infinitesimal, the same for all faces. A face that is

@@ -225,6 +225,14 @@ class Pose {
   std::shared_ptr<const Fractions> fractions_;  // null where every entry is a double
 };
 
+/// Returns a pose as a row-major 3x4 matrix.
+inline std::array<Rational, 12> rows_of(const Pose& pose)
+{
+  std::array<Rational, 12> rows;
+  for (int k = 0; k < 12; ++k) rows[k] = pose.exact(k);
+  return rows;
+}
+
 }  // namespace tetracone::kernel
 
 #endif

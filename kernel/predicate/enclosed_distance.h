@@ -70,7 +70,7 @@ inline std::optional<Ball_vector> way_across_edges(const Ball_vector& a, const B
 /// Returns the normal of a triangle; nothing unless the point is surely over its interior.
 inline std::optional<Ball_vector> way_to_triangle(const Ball_vector& x, const std::array<Ball_vector, 3>& t)
 {
-  const Ball_vector normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
+  const Ball_vector normal = normal_of(t);
   for (std::size_t k = 0; k < 3; ++k)
     if (!dot(normal, cross(difference(t[k], x), difference(t[(k + 1) % 3], x))).is_positive()) return std::nullopt;
   return normal;
@@ -100,7 +100,7 @@ inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, co
   found.height = dot(*way, difference(b.corner[0], a.corner[0]));
   if (!found.height.is_positive()) {
     found.height = -found.height;
-    for (Double_double_ball& x : *way) x = -x;
+    way = negated(*way);
   }
   if (!found.height.is_positive()) return std::nullopt;
   found.square = dot(*way, *way);

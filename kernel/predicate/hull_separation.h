@@ -51,12 +51,7 @@ class Hull_points {
   {
     if (!map_) return made_[v];
     if (place_[v] == 0) {
-      const Exact_number x(corners_[v][0]), y(corners_[v][1]), z(corners_[v][2]);
-      const auto row = [&](std::size_t i) -> Exact_number {
-        const auto& m = *map_;
-        return m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
-      };
-      made_.push_back({row(0), row(4), row(8)});
+      made_.push_back(image(corners_[v], *map_));
       place_[v] = std::uint32_t(made_.size());
     }
     return made_[place_[v] - 1];
@@ -98,7 +93,7 @@ class Hull_points {
         rounded_[v][k] = a + b + c + row[3];
         most = maximum(most, std::abs(a) + std::abs(b) + std::abs(c) + std::abs(row[3]));
       }
-      farthest = maximum(farthest, maximum(std::abs(x), std::abs(y), std::abs(z)));
+      farthest = maximum(farthest, std::abs(x), std::abs(y), std::abs(z));
     }
     if (!(most < HUGE_VAL)) return false;
     error_ = image_rounding * most + image_underflow * farthest;
@@ -198,7 +193,7 @@ inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair
 /// Returns a multiple of the direction, which is not 0, rounded to integers. The largest has the magnitude 2^bits.
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
 {
-  const double largest = maximum(maximum(std::abs(direction[0]), std::abs(direction[1])), std::abs(direction[2]));
+  const double largest = maximum(std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]));
   Exact_vector whole;
   for (int k = 0; k < 3; ++k) whole[k] = Exact_number(std::rint(std::ldexp(direction[k] / largest, bits)));
   return whole;
@@ -212,17 +207,14 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, E
   const auto unit = [](const Exact_vector& axis) {
     double largest = 0;
     for (const Exact_number& x : axis) largest = maximum(largest, std::abs(x.to_double()));
-    return detail::scaled(axis, Exact_number(std::ldexp(1.0, -std::ilogb(largest))));
+    return scaled(axis, Exact_number(std::ldexp(1.0, -std::ilogb(largest))));
   };
   recession = unit(recession);
-  int k = 0;
-  for (int i = 1; i < 3; ++i)
-    if (abs(recession[i]) > abs(recession[k])) k = i;
+  const int k = largest_axis(recession);
   Exact_vector across = {0, 0, 0};
   across[k] = -recession[(k + 1) % 3];
   across[(k + 1) % 3] = recession[k];
-  const std::array<Exact_vector, 3> basis = {unit(across), unit(cross(recession, across)),
-                                             detail::scaled(recession, Exact_number(-1))};
+  const std::array<Exact_vector, 3> basis = {unit(across), unit(cross(recession, across)), negated(recession)};
   Rounded_vector parts;
   for (int i = 0; i < 3; ++i) {
     Rounded_vector axis;
@@ -232,7 +224,7 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, E
   parts[2] = maximum(parts[2], 0.0);
   const Exact_vector whole = rounded_to_bits(parts, bits);
   Exact_vector sum = {0, 0, 0};
-  for (int i = 0; i < 3; ++i) sum = detail::sum(sum, detail::scaled(basis[i], whole[i]));
+  for (int i = 0; i < 3; ++i) sum = kernel::sum(sum, scaled(basis[i], whole[i]));
   return sum;
 }
 
@@ -298,14 +290,14 @@ inline std::optional<Exact_vector> direction_of_first_touch(const Exact_face& fa
   const Exact_vector way = difference(end, start);
   std::vector<Exact_vector> candidates = {way};
   const auto add = [&](Exact_vector m) {
-    if (dot(m, way).sign() == CGAL::NEGATIVE) m = {-m[0], -m[1], -m[2]};
+    if (dot(m, way).sign() == CGAL::NEGATIVE) m = negated(m);
     candidates.push_back(std::move(m));
   };
-  if (face.plane) add(detail::normal_of(*face.plane));
+  if (face.plane) add(normal_of(*face.plane));
   for (const auto& [p, q] : face.edges) {
     const Exact_vector along = difference(q, p);
-    add(difference(detail::scaled(way, dot(along, along)), detail::scaled(along, dot(along, way))));
-    if (face.plane) add(cross(detail::normal_of(*face.plane), along));
+    add(difference(scaled(way, dot(along, along)), scaled(along, dot(along, way))));
+    if (face.plane) add(cross(normal_of(*face.plane), along));
   }
   for (const Exact_vector& m : candidates) {
     const Exact_number first = dot(m, start), last = dot(m, end);
@@ -324,16 +316,13 @@ inline std::optional<int> generic_crossing(const Exact_face& face, const Exact_v
                                            const Exact_vector& direction, const Exact_face& ray)
 {
   if (!face.plane) return std::nullopt;
-  const Exact_vector normal = detail::normal_of(*face.plane);
+  const Exact_vector normal = normal_of(*face.plane);
   const CGAL::Sign side = dot(normal, direction).sign();
   const CGAL::Sign height = dot(normal, difference((*face.plane)[0], origin)).sign();
   if (side == CGAL::ZERO || height != side) return std::nullopt;
   for (const auto& [p, q] : face.edges)
     if (distance_of_faces(ray, Exact_face{{{p, q}, {q, p}}, std::nullopt}).is_zero()) return std::nullopt;
-  const Exact_vector up =
-      side == CGAL::POSITIVE
-          ? direction
-          : Exact_vector{Exact_number(-direction[0]), Exact_number(-direction[1]), Exact_number(-direction[2])};
+  const Exact_vector up = side == CGAL::POSITIVE ? direction : negated(direction);
   const int winding = detail::winding_about_line(face, origin, up);
   return side == CGAL::POSITIVE ? winding : -winding;
 }

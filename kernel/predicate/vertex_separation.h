@@ -29,7 +29,7 @@ struct Placed_vertices {
 inline double largest_coordinate(const std::vector<Vertex>& vertices)
 {
   double largest = 0;
-  for (const Vertex& v : vertices) largest = maximum(largest, maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2])));
+  for (const Vertex& v : vertices) largest = maximum(largest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
   return largest;
 }
 

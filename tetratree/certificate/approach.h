@@ -64,7 +64,7 @@ inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t h
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {
   Random_integers random = at.random;
-  const double size = middle_of(at, holder).second, length = along ? longest_part(*along).get_d() : 1;
+  const double size = middle_of(at, holder).second, length = along ? kernel::longest_part(*along).get_d() : 1;
   Approach approach(at, holder, x, along.value_or(kernel::Rational_point{}));
   constexpr int most_points = 192, points_of_a_size = 8;
   for (int n = 0; n < most_points; ++n) {
@@ -110,8 +110,7 @@ inline std::vector<kernel::Rational_point> points_near(const Placed_pair& pair, 
   for (std::size_t c = 0; c < 3; ++c) way[2][c] = (way[0][c] + way[1][c]) / 2;
   std::vector<kernel::Rational_point> points = {x};
   for (const kernel::Rational& part : {kernel::Rational(1, 2), kernel::Rational(1, 16), kernel::Rational(1, 256)})
-    for (const kernel::Rational_point& w : way)
-      points.push_back({x[0] + part * w[0], x[1] + part * w[1], x[2] + part * w[2]});
+    for (const kernel::Rational_point& w : way) points.push_back(kernel::sum(x, kernel::scaled(w, part)));
   return points;
 }
 
@@ -133,7 +132,7 @@ inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const 
   using kernel::Rational;
   using kernel::Rational_point;
   const auto segment_before = [&](const Rational& step) -> std::optional<kernel::Rational_face::Edge> {
-    const Rational_point shift = {step * along[0], step * along[1], step * along[2]};
+    const Rational_point shift = kernel::scaled(along, step);
     auto edges = crossing.face[0].edges();
     for (auto& [from, to] : edges) {
       from = kernel::difference(from, shift);
@@ -159,14 +158,14 @@ inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const 
     for (std::size_t k = 0; k < 2; ++k) {
       const Rational_point exact_across = kernel::cross(crossing.face[k].normal(), way);
       if (kernel::dot(crossing.face[1 - k].normal(), exact_across) < 0) inside |= 1 << k;
-      const Rational by = longest_part(way) / longest_part(exact_across);
+      const Rational by = kernel::longest_part(way) / kernel::longest_part(exact_across);
       for (std::size_t c = 0; c < 3; ++c) across[k][c] = Rational(exact_across[c] * by).get_d();
     }
     Approach of_a(pair, 0, x, along), of_b(pair, 1, x, along);
     for (const double share : {0x1p-2, 0x1p-5})
       for (const int other : {0, 1, 2, 3}) {
         const int side = inside ^ other;
-        const double size = share * longest_part(way).get_d();
+        const double size = share * kernel::longest_part(way).get_d();
         if (!(size > 0x1p-900)) continue;
         const Rational unit = std::ldexp(1.0, std::ilogb(size) - 10);
         Rational_point in_b, in_a;
@@ -199,7 +198,7 @@ inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::R
   std::string unused = "{";
   const auto met = cover_or_meet(unused, pair);
   if (!met) return false;
-  const std::array<kernel::Rational_point, 2> ahead = {along, {-along[0], -along[1], -along[2]}};
+  const std::array<kernel::Rational_point, 2> ahead = {along, kernel::negated(along)};
   for (const kernel::Rational_point& x : points_near(pair, *met))
     for (const std::size_t k : {1, 0}) {  // the body of the segment along the direction
       std::string both = "{";

@@ -46,11 +46,7 @@ struct Certificate::Data {
   std::size_t without_proof = 0;
 
   /// Returns the number of a text. Throws Error for a text that is none.
-  static kernel::Rational parsed(const std::string& text)
-  {
-    if (const auto number = kernel::parse_number(text)) return *number;
-    throw Error("certificate: '" + text.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
-  }
+  static kernel::Rational parsed(const std::string& text) { return kernel::required_number(text, "certificate: "); }
 
   /// Returns the trees of both bodies. Throws Error for a certificate of one body.
   std::array<tetratree::Group_tree*, 2> groups()

@@ -184,15 +184,14 @@ inline std::vector<kernel::Exact_vector> parting_directions(const std::array<ker
   std::vector<kernel::Exact_vector> found;
   for (const kernel::Exact_face& f : face) {
     if (!f.plane) continue;
-    const kernel::Exact_vector normal = kernel::detail::normal_of(*f.plane);
+    const kernel::Exact_vector normal = kernel::normal_of(*f.plane);
     found.push_back(normal);
     for (const auto& [p, q] : f.edges) found.push_back(kernel::cross(normal, kernel::difference(q, p)));
   }
   for (const auto& [p, q] : face[0].edges)
     for (const auto& [r, s] : face[1].edges)
       found.push_back(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
-  for (std::size_t k = 0, count = found.size(); k < count; ++k)
-    found.push_back(kernel::detail::scaled(found[k], kernel::Exact_number(-1)));
+  for (std::size_t k = 0, count = found.size(); k < count; ++k) found.push_back(kernel::negated(found[k]));
   return found;
 }
 
@@ -339,9 +338,7 @@ class Probe_cover {
     if (probe_.direction) {
       const kernel::Exact_number beyond = extent_of(body_->hull({}), *probe_.direction, 1);
       kernel::Exact_number length = 1;
-      const auto at = [&] {
-        return kernel::detail::sum(probe_.start, kernel::detail::scaled(*probe_.direction, length));
-      };
+      const auto at = [&] { return kernel::sum(probe_.start, kernel::scaled(*probe_.direction, length)); };
       while (!(kernel::dot(*probe_.direction, at()) > beyond)) length = length * kernel::Exact_number(16);
       end = at();
     }

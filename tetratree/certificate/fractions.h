@@ -26,14 +26,6 @@ inline kernel::Rational_point rational(const kernel::Exact_point& point, const k
   return x;
 }
 
-/// Returns the largest absolute value of a coordinate.
-inline kernel::Rational longest_part(const kernel::Rational_point& v)
-{
-  kernel::Rational longest = 0;
-  for (const kernel::Rational& x : v) longest = abs(x) > longest ? kernel::Rational(abs(x)) : longest;
-  return longest;
-}
-
 inline mpz_class common_denominator(const kernel::Rational_point& x)
 {
   return lcm(lcm(x[0].get_den(), x[1].get_den()), x[2].get_den());

@@ -89,7 +89,7 @@ inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::a
 {
   for (const auto& of_body : balls)
     for (const Ball& ball : of_body) {
-      const kernel::Rational_point at = {ball.centre[0], ball.centre[1], ball.centre[2]};
+      const kernel::Rational_point at = kernel::exact_point(ball.centre);
       const kernel::Exact_vector x = exact(at, kernel::Rational(pair.weight));
       const std::string of = "\"point\":" + strings_of(at);
       const auto in_a = winding_row(pair, 0, of, x), in_b = winding_row(pair, 1, of, x);
@@ -109,7 +109,7 @@ inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start
   constexpr std::size_t most_crossings = 4;
   const kernel::Direction_view view(along);
   Exit_search search(bodies[0].seen(), bodies[1].seen());
-  const auto pose = moved(at_start.pose, {exit * along[0], exit * along[1], exit * along[2]});
+  const auto pose = moved(at_start.pose, kernel::scaled(along, exit));
   std::vector<Crossing_before> crossings;
   for (const Exit_search::Stretch& stretch : search.stretches_before(
            view.of(at_start.pose[0]), view.of(at_start.pose[1]), exit * view.height(), most_crossings))
@@ -126,9 +126,7 @@ inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_
   constexpr double shortest = 0x1p-16;  // of intervals, as of ways
   const kernel::Direction_view view(along);
   Exit_search search(bodies[0].seen(), bodies[1].seen());
-  const auto poses_at = [&](const kernel::Rational& s) {
-    return moved(pair.pose, {s * along[0], s * along[1], s * along[2]});
-  };
+  const auto poses_at = [&](const kernel::Rational& s) { return moved(pair.pose, kernel::scaled(along, s)); };
   std::vector<std::string> rows;
   std::vector<Inner_balls> inner;  // of both bodies, made where the first point is needed
   const auto add_point = [&](const kernel::Rational& s) {
@@ -277,8 +275,7 @@ class Lower_bound {
   bool add_cover_of(std::string& text, const Box& box, int halvings)
   {
     if (text.size() > most_bytes) return false;
-    const kernel::Rational_point centre = {box.centre[0], box.centre[1], box.centre[2]};
-    Placed_pair pair = pair_->at(moved(pair_->pose, centre));
+    Placed_pair pair = pair_->at(moved(pair_->pose, kernel::exact_point(box.centre)));
     const kernel::Exact_number& weight = pair.weight;
     kernel::Gap_rule rule{exact(square_.get_num()) * weight * weight, exact(square_.get_den()), true, 0};
     rule.sweep.emplace();
@@ -321,7 +318,7 @@ class Lower_bound {
   {
     const auto& [body, n] = number;
     const Ball& ball = proof_.balls[body][n];
-    const kernel::Rational_point at = {ball.centre[0], ball.centre[1], ball.centre[2]};
+    const kernel::Rational_point at = kernel::exact_point(ball.centre);
     const kernel::Rational weight(pair_->weight);
     const kernel::Exact_vector centre = exact(at, weight);
     const auto row = winding_row(*pair_, int(body), "\"point\":" + strings_of(at), centre);

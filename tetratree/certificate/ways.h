@@ -42,7 +42,7 @@ inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pa
   for (const std::uint32_t v : corners)
     for (std::size_t c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(at(v, c) - middle[c]));
   if (!std::isfinite(size)) return {};
-  return {{kernel::Rational(middle[0]), kernel::Rational(middle[1]), kernel::Rational(middle[2])}, size};
+  return {kernel::exact_point(middle), size};
 }
 
 /// True when m is a direction along which hull a ends where hull b begins, or before.
@@ -73,12 +73,12 @@ inline std::vector<Start> starts_of_ways(Placed_pair& pair, int inside, const Co
       const auto [middle, length] = middle_of(pair, k);
       size = kernel::minimum(size, length);
       const kernel::Rational factor = inside == int(1 - k) ? 1 + share : 1 - share;
-      add(k, factor, {(1 - factor) * middle[0], (1 - factor) * middle[1], (1 - factor) * middle[2]});
+      add(k, factor, kernel::scaled(middle, kernel::Rational(1 - factor)));
     }
   for (const kernel::Exact_vector& m : parting_directions(pair.faces(met.piece))) {
     if (!leads_between(m, pair.body[0].hull(met.piece[0]), pair.body[1].hull(met.piece[1]))) continue;
     kernel::Rational_point aside = in_lowest_terms(rational(m));
-    const kernel::Rational longest = longest_part(aside);
+    const kernel::Rational longest = kernel::longest_part(aside);
     for (kernel::Rational& x : aside) x *= -kernel::Rational(size / 16) / longest;
     add(0, 1, aside);
   }

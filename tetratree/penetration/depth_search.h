@@ -182,8 +182,7 @@ class Depth_search {
     {
       const kernel::detail::Allowed<kernel::Rational> allowed(axis, search->solid_[0].exactly(*a),
                                                               search->solid_[1].exactly(*b));
-      const auto n = direction(axis);
-      return {{n[0], n[1], n[2]}, sign > 0 ? allowed.high : allowed.low};
+      return {direction(axis), sign > 0 ? allowed.high : allowed.low};
     }
 
     /// True when the plane of a half-space n . v < limit does not cut the open ball of all shorter translations.
@@ -212,20 +211,16 @@ class Depth_search {
       found_.vector = found.vector;
       radius_ = std::nextafter(kernel::nearest_root(square), HUGE_VAL);
       ++round_;
-      for (kernel::Rational_point n : found.normals) {
-        if (kernel::dot(n, found.vector) < 0)
-          for (kernel::Rational& x : n) x = -x;
-        directions.push_back(n);
-      }
+      for (const kernel::Rational_point& n : found.normals)
+        directions.push_back(kernel::dot(n, found.vector) < 0 ? kernel::negated(n) : n);
     }
   }
 
   /// Returns the direction with a largest component of 1 or -1, so that equal ones are equal.
   static kernel::Rational_point scaled(kernel::Rational_point d)
   {
-    kernel::Rational largest = 0;
-    for (const kernel::Rational& x : d) largest = abs(x) > largest ? kernel::Rational(abs(x)) : largest;
-    for (kernel::Rational& x : d) x /= largest;
+    const kernel::Rational longest = kernel::longest_part(d);
+    for (kernel::Rational& x : d) x /= longest;
     return d;
   }
 
@@ -261,7 +256,7 @@ class Depth_search {
       if (proof_) proof_->nodes[next.node] = closed;
       if (closed.reason != Reason::halved) continue;
       if (!proof_ && next.halvings % halvings_a_question == 0 && next.least > 0) {
-        const kernel::Rational_point v = centre(next.box);
+        const kernel::Rational_point v = kernel::exact_point(next.box.centre);
         if (kernel::dot(v, v) < found_.square && !meet(v)) leave(v, exit);
         if (next.halvings >= least_halvings && next.halvings % halvings_a_corner == 0)
           leave_by_corners(next.box, *near, exit, meet);
@@ -442,11 +437,6 @@ class Depth_search {
         for (std::size_t k = 0; k < j; ++k) try_planes({&planes[i], &planes[j], &planes[k]});
       }
     }
-  }
-
-  static kernel::Rational_point centre(const Box& box)
-  {
-    return {kernel::Rational(box.centre[0]), kernel::Rational(box.centre[1]), kernel::Rational(box.centre[2])};
   }
 
   /// Returns the numbers of the polytopes of two leaves: from the first to before the last. Nothing where there is no

@@ -6,6 +6,7 @@
 #include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/locator/point_locator.h"
 #include "tetracone/tetratree/query/bvh8_points.h"
@@ -106,9 +107,9 @@ class Inner_balls {
     for (const Ball& ball : own_) {
       Ball image;
       double error = 0;
+      const std::array<kernel::Interval, 3> about = kernel::image(ball.centre, m);
       for (std::size_t k = 0; k < 3; ++k) {
-        const kernel::Interval x =
-            m[4 * k] * ball.centre[0] + m[4 * k + 1] * ball.centre[1] + m[4 * k + 2] * ball.centre[2] + m[4 * k + 3];
+        const kernel::Interval& x = about[k];
         image.centre[k] = x.inf() / 2 + x.sup() / 2;
         error += kernel::maximum(x.sup() - image.centre[k], image.centre[k] - x.inf());
       }

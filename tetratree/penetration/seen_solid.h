@@ -7,6 +7,7 @@
 #include "tetracone/kernel/contact/face_cells.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/contact/shift_range.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
 
@@ -167,11 +168,7 @@ class Seen_solid {
   Rational_piece seen(const Rational_piece& local) const
   {
     Rational_piece piece = local;
-    for (int k = 0; k < piece.count; ++k)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const kernel::Rational_point row = {map_[4 * i], map_[4 * i + 1], map_[4 * i + 2]};
-        piece.corner[k][i] = kernel::dot(row, local.corner[k]) + map_[4 * i + 3];
-      }
+    for (int k = 0; k < piece.count; ++k) piece.corner[k] = kernel::image(local.corner[k], map_);
     return piece;
   }
 

@@ -56,11 +56,7 @@ class Bvh8_containment {
   using Face = covering::Placed_face<K>;
 
   /// Returns the vertex in the holder's local units.
-  static Row image(const Placed& held, Index v)
-  {
-    const kernel::Vector at = held.tree->local(v);
-    return held.into_other.frame()(Row{at[0], at[1], at[2]});
-  }
+  static Row image(const Placed& held, Index v) { return held.into_other.frame()(held.tree->local(v).at); }
 
   /// True when p is surely outside the root's box, and false if anything is undefined. A point of the box is c + sum_i
   /// s_i a_i with |s_i| <= e_i. With axes of defect d, |a_i . (p - c)| <= e_i + 3 d (1 + 4 d) |p - c|_1; the fourth d
@@ -136,7 +132,7 @@ class Bvh8_containment {
   /// `slack` covers both.
   static kernel::Single_box beyond(const Row& p, double error)
   {
-    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    const double length = std::sqrt(kernel::dot(p, p));
     kernel::Single_box box{};
     if (!(length > 0x1p20 * error) || !(length < 0x1p20)) {
       for (int i = 0; i < 3; ++i) {

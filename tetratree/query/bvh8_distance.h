@@ -556,7 +556,7 @@ class Bvh8_distance {
     for (std::size_t k = 0; k < 3; ++k) n[k] = best.exact->direction[k].to_double();
     return is_behind(0, best.a, best.gap.of_a, pair.a, n,
                      [&](Index v) { return kernel::dot(best.exact->direction, exact_[0](v)) <= best.exact->low; }) &&
-           is_behind(1, best.b, best.gap.of_b, pair.b, {-n[0], -n[1], -n[2]},
+           is_behind(1, best.b, best.gap.of_b, pair.b, kernel::negated(n),
                      [&](Index v) { return kernel::dot(best.exact->direction, exact_[1](v)) >= best.exact->high; });
   }
 
@@ -617,7 +617,7 @@ class Bvh8_distance {
     const auto found = kernel::enclosed_distance(enclosed_corners(0, element(0, best.a), best.gap.of_a),
                                                  enclosed_corners(1, element(1, best.b), best.gap.of_b));
     if (!found) return std::nullopt;
-    const kernel::Double_vector &n = found->direction, back = {-n[0], -n[1], -n[2]};
+    const kernel::Double_vector &n = found->direction, back = kernel::negated(n);
     const auto is_exactly = [](Index) { return false; };
     for (const Candidate& pair : candidates_)
       if (!is_behind(0, best.a, best.gap.of_a, pair.a, n, is_exactly) ||

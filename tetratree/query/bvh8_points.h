@@ -305,7 +305,7 @@ class Bvh8_points {
   /// direction. Then no other point is as near.
   bool are_others_behind(const std::array<double, 3>& direction, const std::array<Index, 3>& ends, int count) const
   {
-    const kernel::Double_vector back = {-direction[0], -direction[1], -direction[2]}, on = relative(ends[0]);
+    const kernel::Double_vector back = kernel::negated(direction), on = relative(ends[0]);
     for (const Candidate& candidate : candidates_) {
       if (candidate.element->is_whole_face()) return false;
       for (const Index v : candidate.element->corner) {
@@ -337,8 +337,7 @@ class Bvh8_points {
     const auto add = [&](const Rational_point& point) { add_nearest(nearest, x, point); };
     if (face.has_plane()) {
       const Rational share = face.beyond(x) / kernel::dot(face.normal(), face.normal());
-      Rational_point foot;
-      for (std::size_t k = 0; k < 3; ++k) foot[k] = x[k] - share * face.normal()[k];
+      const Rational_point foot = kernel::difference(x, kernel::scaled(face.normal(), share));
       if (face.locate(foot) != kernel::Feature::none) {
         add(foot);
         return nearest;

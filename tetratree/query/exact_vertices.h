@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/face_distance.h"
 
 #include <array>
@@ -51,16 +52,11 @@ class Exact_vertices {
 
   kernel::Exact_vector image(const covering::Vertex& v)
   {
-    using Number = kernel::Exact_number;
     if (!has_entries_) {
       for (int k = 0; k < 12; ++k) entry_[k] = is_weighted_ ? pose_->whole(k) * others_weight_ : pose_->whole(k);
       has_entries_ = true;
     }
-    const Number x(v[0]), y(v[1]), z(v[2]);
-    const auto row = [&](int i) -> Number {
-      return entry_[i] * x + entry_[i + 1] * y + entry_[i + 2] * z + entry_[i + 3];
-    };
-    return {row(0), row(4), row(8)};
+    return kernel::image(v, entry_);
   }
 
   const std::vector<covering::Vertex>* vertices_;

@@ -55,11 +55,7 @@ inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::
 /// Returns a box of a tree, as its centre and its axes times its extents.
 inline kernel::Moving_box hull_of(const Bvh8_node& node, int lane)
 {
-  kernel::Moving_box hull{kernel::centre_of(node.boxes, lane), {}};
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k)
-      hull.half_edge[i][k] = double(node.boxes.axis[i][k][lane]) * double(node.boxes.extent[i][lane]);
-  return hull;
+  return {kernel::centre_of(node.boxes, lane), kernel::half_edges_of(node.boxes, lane)};
 }
 
 /// A cache of answers by number, which `forget` empties at once.

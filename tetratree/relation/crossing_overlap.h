@@ -4,6 +4,8 @@
 #include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/contact/crossing_cones.h"
 #include "tetracone/kernel/number/interval.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/face_contact.h"
 #include "tetracone/tetratree/contact/face_pairs.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
@@ -34,13 +36,12 @@ class Integer_placing {
   Integer_placing(const std::array<const Placed_solid*, 2>& solids)
   {
     std::array<mpz_class, 2> common = {1, 1};
-    std::array<std::array<Rational, 12>, 2> entries;
+    const std::array<std::array<Rational, 12>, 2> entries = {kernel::rows_of(solids[0]->pose()),
+                                                             kernel::rows_of(solids[1]->pose())};
     for (int body = 0; body < 2; ++body) {
-      for (int k = 0; k < 12; ++k) {
-        entries[body][k] = solids[body]->pose().exact(k);
-        const mpz_class& divisor = entries[body][k].get_den();
-        if (!mpz_divisible_p(common[body].get_mpz_t(), divisor.get_mpz_t())) common[body] = lcm(common[body], divisor);
-      }
+      for (const Rational& entry : entries[body])
+        if (const mpz_class& divisor = entry.get_den(); !mpz_divisible_p(common[body].get_mpz_t(), divisor.get_mpz_t()))
+          common[body] = lcm(common[body], divisor);
       bits_[body] = solids[body]->sides().fraction_bits();
     }
     scale = lcm(mpz_class(common[0] << bits_[0]), mpz_class(common[1] << bits_[1]));
@@ -54,7 +55,7 @@ class Integer_placing {
   /// Returns the placed vertex, times `scale`.
   kernel::Number_point<mpz_class> operator()(int body, const kernel::Vertex& v) const
   {
-    kernel::Number_point<mpz_class> x, image;
+    kernel::Number_point<mpz_class> x;
     for (int k = 0; k < 3; ++k) {
       int exponent = 0;
       x[k] = std::ldexp(std::frexp(v[k], &exponent), 53);
@@ -64,9 +65,7 @@ class Integer_placing {
       else
         x[k] >>= -exponent;
     }
-    const auto& m = map_[body];
-    for (int k = 0; k < 3; ++k) image[k] = m[4 * k] * x[0] + m[4 * k + 1] * x[1] + m[4 * k + 2] * x[2] + m[4 * k + 3];
-    return image;
+    return kernel::image(x, map_[body]);
   }
 
   mpz_class scale;
