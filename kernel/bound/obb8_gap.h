@@ -81,12 +81,6 @@ struct alignas(64) Carried_box {
   /// Upper bound of the error of three sums of two coordinates of magnitude at most 2, and of underflow:
   /// verify/proofs/gap_proofs.h.
   static constexpr double centre_rounding = 0x1p-20;
-
-  template <class Number>
-  static Number placed(Number offset, Number x, Number y, Number z)
-  {
-    return ((offset + x) + y) + z;
-  }
 };
 
 /// A box about the elements that move on, in its own local units: all c + sum_j s_j h_j, |s_j| <= 1.
