@@ -19,11 +19,11 @@
 
 namespace tetracone::kernel {
 
-/// A convex solid: its corners, and numbers of the corners of its triangles and edges. An edge has two triangles, which
-/// use it in opposite directions.
+/// A convex solid: its corners, and its triangles and edges by numbers of corners.
 struct Convex_solid {
   struct Edge {
-    std::array<std::uint32_t, 2> corners, triangles;
+    std::array<std::uint32_t, 2> corners;
+    std::array<std::uint32_t, 2> triangles;  ///< numbers of its triangles, which use it in opposite directions
   };
 
   std::vector<Vertex> corners;

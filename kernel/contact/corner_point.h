@@ -15,13 +15,14 @@ using Number_point = std::array<N, 3>;
 
 namespace detail {
 
+/// Returns from + share * step.
 template <class N>
 Number_point<N> along(const Number_point<N>& from, const Number_point<N>& step, const N& share)
 {
   return {N(from[0] + share * step[0]), N(from[1] + share * step[1]), N(from[2] + share * step[2])};
 }
 
-/// Returns the point where edge `edge` of p goes through the plane of q.
+/// Returns the point where edge `edge` of p goes through the plane of q. Requires an edge that is not parallel to it.
 template <class N>
 Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int edge,
                                    const std::array<Number_point<N>, 3>& q)

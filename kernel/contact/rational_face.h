@@ -13,7 +13,7 @@
 
 namespace tetracone::kernel {
 
-using Rational_point = std::array<Rational, 3>;  ///< also a vector
+using Rational_point = std::array<Rational, 3>;  ///< a point or a vector
 
 /// Returns a vertex in rationals.
 inline Rational_point exact_point(const Vertex& v) { return {v[0], v[1], v[2]}; }
@@ -51,6 +51,7 @@ class Rational_face {
     }
   }
 
+  /// Returns the directed edges, in the order of the constructor.
   const std::vector<Edge>& edges() const { return edges_; }
   /// Returns the first corner.
   const Rational_point& origin() const { return edges_[0].first; }

@@ -18,7 +18,7 @@ namespace tetracone::kernel {
 
 using Ball_vector = std::array<Double_double_ball, 3>;
 
-/// One to three corners that span a feature.
+/// The enclosed corners, one to three, that span a feature of a triangle.
 struct Ball_hull {
   std::array<Ball_vector, 3> corner;
   int count = 0;
@@ -35,12 +35,13 @@ struct Ball_hull {
 /// The distance height / sqrt(square), along a direction from A's feature to B's of |direction|^2 = square.
 struct Enclosed_distance {
   Double_double_ball height, square;
-  std::array<double, 3> direction;  ///< rounded: the errors of all coordinates sum to at most `direction_error`
+  std::array<double, 3> direction;  ///< rounded: the errors of all coordinates sum to at most `direction_error` of it
   Ball_vector way;                  ///< the direction, enclosed
 
-  // Upper bounds relative to the sum of the direction's magnitudes: verify/proofs/nearest_proofs.h.
-  static constexpr double most_radii = 0x1p-52,  ///< of the radii of an accepted direction
+  // Upper bounds relative to the sum of the direction's magnitudes.
+  static constexpr double most_radii = 0x1p-52,  ///< of the sum of the radii of an accepted direction, which is tested
       direction_error = 0x1p-51;  ///< of all errors of a direction: these radii, and a rounding of each coordinate
+                                  ///< (verify/proofs/nearest_proofs.h)
 };
 
 namespace detail {
@@ -89,7 +90,7 @@ inline std::optional<Ball_vector> way_between(const Ball_hull& a, const Ball_hul
 
 }  // namespace detail
 
-/// Returns the distance of two hulls, as `distance_of_hulls` takes them. Returns nothing unless the enclosures show
+/// Returns the distance of two hulls that `distance_of_hulls` would take. Returns nothing unless the enclosures show
 /// that the nearest points of the affine hulls are apart and within both hulls. The direction must be known up to
 /// `most_radii`.
 inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, const Ball_hull& b)

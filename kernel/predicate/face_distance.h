@@ -33,14 +33,17 @@ struct Exact_distance {
   Exact_number low, high;
   Exact_point on_a, on_b;
 
+  /// Return the numerator and the divisor of the squared distance. The divisor is 1 where the direction is 0.
   Exact_number top() const { return (high - low) * (high - low); }
   Exact_number bottom() const
   {
     const Exact_number square = dot(direction, direction);
     return square.sign() == CGAL::ZERO ? Exact_number(1) : square;
   }
+  /// True when the sets meet.
   bool is_zero() const { return low == high; }
 
+  /// Compares the distances.
   friend bool operator<(const Exact_distance& x, const Exact_distance& y)
   {
     return x.top() * y.bottom() < y.top() * x.bottom();
@@ -166,8 +169,8 @@ inline void keep_nearer(std::optional<Exact_distance>& best, std::optional<Exact
   if (found && (!best || *found < *best)) best = std::move(found);
 }
 
-/// Keeps the least distance of the corners and edges of `a` from the interior of `b`. `turn`: the distance is kept as
-/// seen from `b`.
+/// Keeps the least distance of the corners and edges of `a` from the interior of `b`. With `turn`, it is kept as seen
+/// from `b`.
 inline void keep_nearer_inside(std::optional<Exact_distance>& best, const Exact_face& a, const Exact_face& b, bool turn)
 {
   if (!b.plane) return;

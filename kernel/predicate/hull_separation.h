@@ -24,20 +24,21 @@ namespace tetracone::kernel {
 using Rounded_vector = std::array<double, 3>;
 
 /// Upper bound of the error of a rounded coordinate of an image, relative to the sum of its terms' absolute values. An
-/// entry and its product are rounded once, and the first product by three sums: 5 of 2^-53, and as much for the sum.
-/// verify/test/kernel/predicate/hull_separation.cpp compares both bounds with exact images.
+/// entry is off by less than 2^-52 of itself. Its product has one rounding and the sums have three: 6 of 8 times 2^-53
+/// in all. verify/test/kernel/predicate/hull_separation.cpp compares both bounds with exact images.
 inline constexpr double image_rounding = 0x1p-50;
-/// Upper bound of what underflow adds for corners of coordinates up to 1. Three entries and three products, and one
-/// more entry, are off by 2^-1075 each; larger coordinates multiply the entries' part.
+/// Upper bound of what underflow adds to the error, for corners of coordinates up to 1. Four entries and three products
+/// are off by at most 2^-1075 each; larger coordinates multiply the entries' part.
 inline constexpr double image_underflow = 0x1p-1072;
 
-/// Exact points, and doubles near them. All doubles are multiplied by one common factor, so that they are finite.
+/// Exact points, and doubles near their products with one common factor, which keeps the doubles finite.
 ///
 /// The points are given, or are the images of points under an affine map. Images are multiplied out when they are asked
-/// for: a search in doubles needs few of them exactly.
+/// for: a search in doubles needs few of them exactly. One object serves one thread.
 class Hull_points {
  public:
   Hull_points() = default;
+  /// These points.
   explicit Hull_points(std::initializer_list<Exact_vector> points) : size_(points.size()), made_(points) {}
   /// The images of `corners`, which must outlive this object, under a row-major 3x4 matrix.
   Hull_points(std::span<const Rounded_vector> corners, const std::array<Exact_number, 12>& map)
@@ -57,15 +58,17 @@ class Hull_points {
     return made_[place_[v] - 1];
   }
 
-  /// Returns point v in doubles. Each coordinate is its nearest double for points that were given; it is off by at most
-  /// `error` for images. Requires rounded points.
+  /// Returns point v times `factor`, in doubles. A coordinate is off by at most `error`, or by 2^-52 of itself if that
+  /// is more. Requires rounded points.
   const Rounded_vector& rounded(std::size_t v) const { return rounded_[v]; }
+  /// Returns an upper bound of the error of images that were multiplied out in doubles; else 0.
   double error() const { return error_; }
   /// Returns the largest absolute value of a rounded coordinate.
   double largest() const { return largest_; }
+  /// Returns the factor by which the points were multiplied and rounded last; nothing before.
   const std::optional<Exact_number>& factor() const { return factor_; }
 
-  /// Rounds all points, multiplied by a factor, unless they are.
+  /// Rounds all points, multiplied by a factor, unless that was done last.
   void round(const Exact_number& by)
   {
     if (factor_ && *factor_ == by) return;
@@ -110,8 +113,8 @@ class Hull_points {
   double error_ = 0, largest_ = 0;
 };
 
-/// Rounds the points of two hulls, multiplied by one power of 2 for which products of a few coordinates are finite.
-/// Returns that power.
+/// Rounds two sets of points, multiplied by one power of 2 for which products of a few coordinates are finite. Returns
+/// that power. It is b's own where that serves, so that few points are rounded anew.
 inline Exact_number round_together(Hull_points& a, Hull_points& b)
 {
   Exact_number factor = b.factor().value_or(Exact_number(1));
@@ -140,11 +143,12 @@ struct Hull_pair {
   Hull a, b;
 };
 
-/// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Returns
-/// nothing where no such direction exists, or 40 steps find none. Requires a pair, rounded points, in whose units
-/// `distance` is, and the same recession for all A. The recession does not lead towards B along the direction. Source:
-/// E. G. Gilbert, An iterative procedure for computing the minimum of a quadratic form on a convex set, SIAM J. Control
-/// 4 (1966).
+/// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Its product
+/// with A's recession is not positive, up to rounding. Returns nothing where the search finds none: no such direction
+/// exists, or steps get too small, or 40 steps do not suffice.
+///
+/// Requires a pair, rounded points, in whose units `distance` is, and one recession for all A. Source: E. G. Gilbert,
+/// An iterative procedure for computing the minimum of a quadratic form on a convex set, SIAM J. Control 4 (1966).
 inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair> pairs, double distance)
 {
   const auto middle = [](const Hull& hull) {
@@ -199,8 +203,9 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
   return whole;
 }
 
-/// Same, for a direction whose product with `recession` is not positive; the result's exact product is not positive
-/// either. The integers are its components along two directions across the recession, and against it.
+/// Returns a vector near a multiple of the direction, whose product with `recession` is not positive. Nor is the
+/// vector's, exactly. Integers of these bits are its components along two directions across the recession, and against
+/// it.
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, Exact_vector recession)
 {
   // Powers of 2 make the axes about as long as 1.
@@ -228,7 +233,7 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, E
   return sum;
 }
 
-/// Returns the least (sign < 0) or largest product of m with the corners, exactly.
+/// Returns the least (sign < 0) or largest product of m with the corners, exactly. It leaves out the recession.
 inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
 {
   std::optional<Exact_number> best;
@@ -241,19 +246,20 @@ inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
 
 /// A requirement for two hulls: they are apart by more than the root of top / bottom, or by just that if `or_equal`.
 ///
-/// With `sweep`, A has been moved by its centre, and is moved by all vectors of the box about that. Those that are no
-/// shorter than the root need not part the hulls.
+/// With `sweep`, A has been moved by the centre of a box of translations. The rule then asks that the hulls are apart
+/// for all translations of the box that are shorter than the root.
 struct Gap_rule {
   struct Sweep {
     Exact_vector centre, half;
   };
 
-  Exact_number top = 0, bottom = 1;
+  Exact_number top = 0, bottom = 1;  ///< in the exact points' units
   bool or_equal = false;
   double rounded = 0;  ///< near the distance that is asked for, in rounded units
   std::optional<Sweep> sweep = {};
 
-  /// True when B is beyond A along m by the required distance.
+  /// True when m proves that the hulls keep the rule: B is beyond A along m by the required distance, or for all
+  /// translations of the box.
   bool operator()(const Hull& a, const Hull& b, const Exact_vector& m) const
   {
     Exact_number gap = extent(b, m, -1) - extent(a, m, 1);
@@ -272,7 +278,7 @@ struct Gap_rule {
   }
 };
 
-/// Returns the face of one loop through the corners. With `has_plane`, the first three corners span its plane.
+/// Returns the face of one loop through the hull's corners. With `has_plane`, the first three corners span its plane.
 inline Exact_face exact_face(const Hull& hull, bool has_plane)
 {
   Exact_face face;
@@ -311,7 +317,7 @@ inline std::optional<Exact_vector> direction_of_first_touch(const Exact_face& fa
 }
 
 /// Returns the winding number of a face's loops about a ray, as seen along it. Returns nothing where the ray meets an
-/// edge, or not the face's plane beyond its origin. `ray` is the ray as a face, cut beyond the body.
+/// edge, or not the face's plane beyond its origin. `ray` is the ray as a face: a segment that ends beyond the body.
 inline std::optional<int> generic_crossing(const Exact_face& face, const Exact_vector& origin,
                                            const Exact_vector& direction, const Exact_face& ray)
 {

@@ -14,7 +14,8 @@ namespace tetracone::kernel {
 
 /// Returns the numbers of three corners that are not collinear, which is decided exactly; nothing when all are on one
 /// line. The triangle is a large one where double can tell, so that kernels that round keep its plane. It has the
-/// corner farthest from the first, and the corner that spans the largest area with both.
+/// corner farthest from the first, and the corner that spans the largest area with both. `vertex_of(k)` returns corner
+/// k. Requires a corner.
 template <class Vertex_of>
 std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, const Vertex_of& vertex_of)
 {

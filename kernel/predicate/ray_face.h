@@ -45,7 +45,7 @@ inline std::optional<Rational> ray_segment(const Rational_ray& ray, const Ration
 
 }  // namespace detail
 
-/// Returns what `ray_face` does of a triangle whose plane the ray's line crosses in one point; else nothing.
+/// Returns what `ray_face` returns of a triangle; nothing unless the ray's line crosses its plane in one point.
 ///
 /// Let A, B, C be the corners less o. The line passes edge AB on the side that the sign of det[d, A, B] tells, and so
 /// for the others. The sum of these determinants is n . d, with n = (B - A) x (C - A).
