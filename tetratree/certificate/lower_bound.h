@@ -44,6 +44,7 @@ class Numbered_triangles {
       if (!groups.piece(n).is_whole_face()) number_.emplace(in_order(groups.piece(n).corner), n);
   }
 
+  /// Return what searches for exits and depths need of the body.
   Seen_solid seen() const { return {body_->bvh8(), body_->polyhedron, body_->solid_sides()}; }
   Inner_balls balls() const { return {body_->bvh8(), body_->point_locator()}; }
 
@@ -74,7 +75,8 @@ class Numbered_triangles {
 
 using Two_bodies = std::array<Numbered_triangles, 2>;
 
-/// Appends two pieces of A and of B, by faces of the triangles. False where one has no number.
+/// Appends the numbers of a piece of A and of one of B, given as triangles. False, without a change of the text, where
+/// one has no number.
 inline bool add_pieces(std::string& text, const Two_bodies& bodies, const std::array<Index, 2>& faces)
 {
   const auto a = bodies[0](faces[0]), b = bodies[1](faces[1]);
@@ -83,8 +85,8 @@ inline bool add_pieces(std::string& text, const Two_bodies& bodies, const std::a
   return true;
 }
 
-/// Appends the windings of a point inside of both solids. It is the centre of one of the balls, or it is near a common
-/// point of the surfaces. False where none is found.
+/// Appends the windings of a point inside of both solids. It is the centre of one of the balls of A or of B, or it is
+/// near a common point of the surfaces. False where none is found; the text is of no use then.
 inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::array<std::vector<Ball>, 2>& balls)
 {
   for (const auto& of_body : balls)
@@ -102,7 +104,8 @@ inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::a
   return met && add_sides(text, pair, *met, {{true, true}});
 }
 
-/// Returns a few crossings of triangles just before an exit. `at_start` are the bodies as they were given.
+/// Returns a few crossings of triangles just before an exit along a direction, in lengths of it. `at_start` are the
+/// bodies as they were given.
 inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start, const Two_bodies& bodies,
                                                      const kernel::Rational_point& along, const kernel::Rational& exit)
 {
@@ -119,11 +122,11 @@ inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start
 }
 
 /// Appends, as `overlap`, why the interiors share a point for all moves along a direction from 0 to before the first
-/// exit. False where a part of the way has no proof.
+/// exit. False, without a change of the text, where a part of the way has no proof.
 inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_bodies& bodies,
                           const kernel::Rational_point& along, const kernel::Rational& first)
 {
-  constexpr double shortest = 0x1p-16;  // of intervals, as of ways
+  constexpr double shortest = 0x1p-16;  // of intervals: a part of the way that needs shorter ones has no proof
   const kernel::Direction_view view(along);
   Exit_search search(bodies[0].seen(), bodies[1].seen());
   const auto poses_at = [&](const kernel::Rational& s) { return moved(pair.pose, kernel::scaled(along, s)); };
@@ -179,12 +182,12 @@ inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_
 /// Writes the proof that no translation shorter than a bound parts two solids whose interiors share a point.
 class Lower_bound {
  public:
-  /// All must outlive this object.
+  /// The bodies at their poses, and the same by their triangles. All must outlive this object.
   Lower_bound(Placed_pair& pair, const Two_bodies& bodies) : pair_(&pair), bodies_(&bodies) {}
 
   /// Appends, as `low`, the proof for a translation that parts the solids. The search ends where the bracket's width is
-  /// this share of its length, or earlier. A proof that gets too long is made of fewer boxes. The bound is exact where
-  /// the search closes all boxes. False where no bound above 0 is proved.
+  /// `relative` times its upper end, or earlier. A proof that gets too long is made of fewer boxes. The bound is exact
+  /// where the search closes all boxes. False, without a change of the text, where no bound above 0 is proved.
   bool operator()(std::string& text, const kernel::Rational_point& vector, double relative)
   {
     const auto& [a, b] = *bodies_;
@@ -270,8 +273,8 @@ class Lower_bound {
     return false;
   }
 
-  /// Appends the cover of a box of translations. Where no direction separates two pieces for all of them, it halves
-  /// the box, at most so many times.
+  /// Appends the cover of a box of translations. Where no direction separates two pieces for all of them, it halves the
+  /// box, at most `halvings` times. False where that does not suffice, or the text gets too long.
   bool add_cover_of(std::string& text, const Box& box, int halvings)
   {
     if (text.size() > most_bytes) return false;
@@ -313,7 +316,7 @@ class Lower_bound {
     return std::size_t(std::ranges::find(used_, ball) - used_.begin());
   }
 
-  /// Appends a ball: its centre is inside, and all faces are at least its radius away.
+  /// Appends a ball: its centre is inside, and all faces are at least its radius away. False where that has no proof.
   bool add_ball(std::string& text, const Ball_number& number)
   {
     const auto& [body, n] = number;
@@ -335,7 +338,7 @@ class Lower_bound {
     return true;
   }
 
-  static constexpr std::size_t most_bytes = 1 << 20;  // of covers, at which no further one is begun
+  static constexpr std::size_t most_bytes = 1 << 20;  // of a proof's text, above which no further cover is begun
   static constexpr std::size_t most_balls = 16;       // of a body
   static constexpr int most_halvings = 6;             // of a box without contact
 
@@ -343,7 +346,7 @@ class Lower_bound {
   const Two_bodies* bodies_;
   Depth_proof proof_;
   kernel::Rational square_;
-  std::vector<Ball_number> used_;
+  std::vector<Ball_number> used_;  // the balls that boxes name
 };
 
 }  // namespace tetracone::tetratree

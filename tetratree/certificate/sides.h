@@ -49,12 +49,13 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
 using Sides = std::array<bool, 2>;
 
 /// Appends a point for each of `wanted`, if some lines near a common point have one. All points between two crossings
-/// of a line are on one side. So points are found within the thinnest overlap. Returns whether all of `wanted` were
-/// found.
+/// of a line are on one side. So points are found within the thinnest overlap. True when all of `wanted` were found;
+/// else the text is of no use.
 inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Sides> wanted)
 {
-  constexpr int most_lines = 96, lines_of_a_size = 4;
-  constexpr std::size_t most_cells = 6;
+  constexpr int most_lines = 96,         // that are tried
+      lines_of_a_size = 4;               // of these, before others begin nearer to the point
+  constexpr std::size_t most_cells = 6;  // of a line, between two crossings, that are tried
   kernel::Rounded_vector middle;
   double size = 0;
   for (int c = 0; c < 3; ++c) middle[c] = met.point.at[c].to_double() / met.point.weight.to_double();

@@ -59,7 +59,7 @@ class Point_locator {
   }
   Point_locator(const Point_locator&) = delete;
 
-  /// Returns the location of a point.
+  /// Returns the location of a point. Requires finite coordinates.
   Location locate(const covering::Vertex& point) const
   {
     return locate(local(point), [&] { return K::unmoved(point); });
@@ -199,6 +199,7 @@ class Point_locator {
     return decide(asked, at, group) ? at : by_triangles(asked, group, exact);
   }
 
+  /// Writes a point and its cell.
   void ask(const kernel::Local_point& p, Asked& asked) const
   {
     // Stored one by one: a read of the whole right after writes of parts would stall on store forwarding.
@@ -270,8 +271,8 @@ class Point_locator {
     });
   }
 
-  template <class Exact>
   /// Returns the location of a point by triangles of a group, or by all.
+  template <class Exact>
   Location by_triangles(const Asked& asked, Index group, const Exact& exact) const
   {
     if (group == none) return locate_among_all(asked.at, exact);
@@ -311,8 +312,8 @@ class Point_locator {
     return {left & those, right & those, before & those, undecided & those};
   }
 
-  template <class Exact>
   /// Returns the location of a point by all triangles.
+  template <class Exact>
   Location locate_among_all(const kernel::Local_point& p, const Exact& exact) const
   {
     int winding = 0;

@@ -15,7 +15,8 @@
 
 namespace tetracone::tetratree {
 
-/// Decides whether a solid holds a shell of another body, through its `Bvh8`.
+/// Decides whether a solid holds a shell of another body, through its `Bvh8`. Both bodies must be placed, with their
+/// frames related. Work is added to `counts`.
 ///
 /// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). A tetrahedron can count only
 /// if its face is met by the ray from the vertex away from the covering's origin. The tree finds these, and the signs
@@ -152,7 +153,7 @@ class Bvh8_containment {
     return box;
   }
 
-  std::vector<Index> nodes_;
+  std::vector<Index> nodes_;  // scratch memory
 };
 
 }  // namespace tetracone::tetratree

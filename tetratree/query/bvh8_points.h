@@ -76,8 +76,8 @@ class Bvh8_points {
     }
   }
 
-  /// Returns a lower bound of the distance, which is off by few roundings; 0 where coordinates are too large to bound.
-  /// Requires finite coordinates.
+  /// Returns a lower bound of the distance, up to few roundings; 0 where coordinates are too large to bound. Requires
+  /// finite coordinates.
   double lower_bound(const covering::Vertex& x)
   {
     search(x, 0);
@@ -107,7 +107,7 @@ class Bvh8_points {
   using Rational_point = kernel::Rational_point;
 
   struct Open {
-    float square;
+    float square;  // lower bound of the squared distance, in local units
     Index node;
   };
   /// An element that may be the nearest.
@@ -378,11 +378,12 @@ class Bvh8_points {
     return {nearest[0].first, nearest[0].second, first, nearest.size() == 1};
   }
 
-  /// Upper bound of the relative error of a coordinate of `relative`: a difference is rounded.
+  /// Upper bound of the relative error of a coordinate of `relative`: a difference is rounded. It is counted by hand,
+  /// as are the next two (verify/proofs/other_constants.h).
   static constexpr double relative_error = 2 * kernel::unit_roundoff<double>;
-  /// Upper bound of what rounding loses by underflow.
+  /// Upper bound of what rounding a coordinate loses by underflow.
   static constexpr double least_double = 0x1p-1074;
-  /// Upper bound of what a vertex may be beyond its box, whose local units are rounded, and of the error of `local_`.
+  /// Upper bound of the distance of a vertex from its box, whose local units are rounded, and of the error of `local_`.
   static constexpr double box_error = 0x1p-50;
 
   const Bvh8* tree_;

@@ -13,7 +13,8 @@
 
 namespace tetracone::tetratree {
 
-/// The exact images of a body's vertices, times a weight that two bodies share. Each is computed on first use.
+/// The exact images of a body's vertices, times a weight that two bodies share. Each is computed on first use. One
+/// object serves one thread.
 class Exact_vertices {
  public:
   /// The vertices must outlive this object.
@@ -21,7 +22,8 @@ class Exact_vertices {
       : vertices_(&vertices), place_(vertices.size(), none)
   {}
 
-  /// Sets the body's pose; `other` places the body that shares the weight. `pose` must live until the next call.
+  /// Sets the body's pose; `other` places the body that shares the weight. `pose` must outlive all use until the next
+  /// call.
   void place(const kernel::Pose& pose, const kernel::Pose& other)
   {
     for (const std::uint32_t v : found_) place_[v] = none;
@@ -44,7 +46,7 @@ class Exact_vertices {
     return images_[place_[v]];
   }
 
-  /// Returns the factor of all images.
+  /// Returns the factor of all images. Requires `place`.
   kernel::Exact_number weight() const { return pose_->weight() * others_weight_; }
 
  private:
@@ -64,8 +66,8 @@ class Exact_vertices {
   kernel::Exact_number others_weight_ = 1;
   bool is_weighted_ = false, has_entries_ = false;
   std::array<kernel::Exact_number, 12> entry_;
-  std::vector<std::uint32_t> place_, found_;  // place_: the number of each vertex's image; found_: the vertices that
-                                              // have one
+  std::vector<std::uint32_t> place_;  // the number of each vertex's image, or `none`
+  std::vector<std::uint32_t> found_;  // the vertices that have one
   std::deque<kernel::Exact_vector> images_;
 };
 

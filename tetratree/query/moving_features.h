@@ -44,7 +44,7 @@ struct First_meeting {
 /// A part of a span of time.
 enum class Span_part { first_half, second_half, whole };
 
-/// Returns the corners of an element, in local points.
+/// Returns these vertices, the corners of an element, in local units.
 inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::array<Index, 3>& corner)
 {
   std::array<kernel::Vertex, 3> corners;
@@ -196,8 +196,9 @@ class Moving_feature_search {
     return *motion_;
   }
 
-  /// Upper bound of the time of the first contact so far; infinite if there is none.
+  /// Returns an upper bound of the time of the first contact so far; infinite if there is none.
   double before() const { return best_before_; }
+  /// Returns the first contact so far, and forgets it; nothing if there is none.
   std::optional<First_meeting> take_first() { return std::exchange(best_, std::nullopt); }
 
   /// Enters a span of time, which must stay until the next call. Requires that everything of the last span is decided.
@@ -209,11 +210,11 @@ class Moving_feature_search {
     latest_ = span.share_before(best_before_);
   }
 
-  /// Upper bound of the time of the first contact so far, as a fraction of the span.
+  /// Returns an upper bound of the time of the first contact so far, as a fraction of the span.
   double latest() const { return latest_; }
 
-  /// Adds two elements. Requires that within this part of the span they do not meet outside `times`, from 0 to 1 over
-  /// it.
+  /// Adds two elements. Requires that within this part of the span they do not meet outside `times`, which run from 0
+  /// to 1 over the part.
   void meet(Span_part part, const kernel::Time_window& times, const Element& of_a, const Element& of_b)
   {
     for_triangles(0, of_a, [&](const Triangle& a) {
@@ -230,7 +231,7 @@ class Moving_feature_search {
   /// True when anything waits to be decided.
   bool is_any_undecided() const { return !candidates_.empty(); }
 
-  /// Decides everything that may meet before this fraction of the span.
+  /// Decides all pairs that may meet before this fraction of the span.
   void decide_until(double share)
   {
     while (!candidates_.empty() && candidates_.front().from() <= share) decide_front();
@@ -255,8 +256,10 @@ class Moving_feature_search {
     return is_any_plane([&](Parted_boxes& plane) { return plane.holds(0, box[0]) && plane.holds(1, box[1]); });
   }
 
+  /// Returns which stage decided how many pairs, for tests.
   const Motion_stages& stages() const { return stages_; }
 
+  /// Returns the counts of work since the last `clear_counts`.
   const Query_statistics& counts() const { return counts_; }
   void clear_counts()
   {

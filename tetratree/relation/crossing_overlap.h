@@ -32,7 +32,7 @@ class Integer_placing {
  public:
   using Number = mpz_class;
 
-  /// The scale is a common denominator of the poses, times a power of two that clears the vertices.
+  /// The scale is a common denominator of the poses, times a power of two for which the vertices are integers.
   Integer_placing(const std::array<const Placed_solid*, 2>& solids)
   {
     std::array<mpz_class, 2> common = {1, 1};
@@ -68,10 +68,10 @@ class Integer_placing {
     return kernel::image(x, map_[body]);
   }
 
-  mpz_class scale;
+  mpz_class scale;  ///< the factor of all coordinates
 
  private:
-  std::array<int, 2> bits_{};
+  std::array<int, 2> bits_{};  // of fractions of the vertices
   std::array<std::array<mpz_class, 12>, 2> map_;
 };
 
@@ -80,6 +80,7 @@ class Interval_placing {
  public:
   using Number = Interval;
 
+  /// The origin is near a placed vertex of A. Requires solids with a vertex.
   Interval_placing(const std::array<const Placed_solid*, 2>& solids)
   {
     for (int body = 0; body < 2; ++body)
@@ -100,7 +101,7 @@ class Interval_placing {
     return kernel::image(v, map_[body]);
   }
 
-  std::array<double, 3> origin{};
+  std::array<double, 3> origin{};  ///< taken from all coordinates
 
  private:
   std::array<std::array<Interval, 12>, 2> map_;
@@ -146,8 +147,8 @@ class Crossing_overlap {
     return cones.sums.value(placing.scale, whole);
   }
 
-  Placing placing;
-  kernel::Crossing_cones<N> cones;
+  Placing placing;                  ///< which coordinates the sums have
+  kernel::Crossing_cones<N> cones;  ///< the sums
 
  private:
   using Crossing = kernel::Edge_crossing<N>;
@@ -305,7 +306,8 @@ struct Overlap_enclosure {
   kernel::Number_point<Interval> centroid = {0, 0, 0};
 };
 
-/// Returns enclosures of the volume and the centroid; nothing where intervals do not suffice. Requires `is_general`.
+/// Returns enclosures of the volume and the centroid of the overlap of two placed solids; nothing where intervals do
+/// not suffice. Requires `is_general`.
 inline std::optional<Overlap_enclosure> enclosed_overlap(const Placed_solid& a, const Placed_solid& b,
                                                          const Found_contacts& found,
                                                          const Is_vertex_inside& is_vertex_inside)

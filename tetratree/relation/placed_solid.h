@@ -33,6 +33,7 @@ struct Normal_sides {
 /// A solid under a pose, in rationals. The polyhedron, sides and locator that it is made of must outlive it.
 class Placed_solid {
  public:
+  /// All three are of one body.
   Placed_solid(const covering::Polyhedron& polyhedron, const Solid_sides& sides, const Point_locator& locator)
       : polyhedron_(&polyhedron), sides_(&sides), locator_(&locator)
   {}

@@ -35,6 +35,7 @@ class Scene_models {
   const Body& body(Number model);
   /// Same, for a body that motions can follow. Throws Error also where a face has no triangles.
   const Body& body_of_triangles(Number model);
+  /// Returns the extent of the body, made now if need be. Throws as `body`.
   const tetratree::Body_extent& extent(Number model);
   /// Returns the model's tree; null if none has been made.
   const tetratree::Bvh8* tree(Number model) const;
@@ -51,6 +52,7 @@ class Scene_models {
   void give_back(Number model);
 
   const std::string& name(Number model) const { return models_[model].name; }
+  /// Return the bytes of a model's body and tree, as far as they are made, and those of all models.
   std::size_t bytes(Number model) const;
   std::size_t bytes() const;
   /// Returns the number of nodes of all trees, including trees that were given back.
@@ -81,6 +83,7 @@ class Scene_worker {
  public:
   using Number = Scene_models::Number;
 
+  /// Both must outlive this object.
   Scene_worker(const Scene_models& models, const Scene_options& options) : models_(&models), options_(&options) {}
 
   /// Returns the query of two models. Several threads may call it only for bodies that are made. `method` is tree or
@@ -93,6 +96,7 @@ class Scene_worker {
   /// Drops the queries and the table of this model.
   void forget(Number model);
 
+  /// Returns an upper bound of the bytes of the queries and the tables, except the bodies'.
   std::size_t bytes() const;
 
   /// Bytes of a table of reaches.
