@@ -15,13 +15,6 @@ using Number_point = std::array<N, 3>;
 
 namespace detail {
 
-/// Returns from + share * step.
-template <class N>
-Number_point<N> along(const Number_point<N>& from, const Number_point<N>& step, const N& share)
-{
-  return {N(from[0] + share * step[0]), N(from[1] + share * step[1]), N(from[2] + share * step[2])};
-}
-
 /// Returns the point where edge `edge` of p goes through the plane of q. Requires an edge that is not parallel to it.
 template <class N>
 Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int edge,
@@ -29,7 +22,7 @@ Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int 
 {
   const Number_point<N>& from = p[edge];
   const auto whole = difference(p[(edge + 1) % 3], from), normal = normal_of(q);
-  return along(from, whole, N(dot(normal, difference(q[0], from)) / dot(normal, whole)));
+  return sum(from, scaled(whole, N(dot(normal, difference(q[0], from)) / dot(normal, whole))));
 }
 
 /// Returns the point where two edges of one plane cross. Requires edges that are not parallel.
@@ -40,7 +33,7 @@ Number_point<N> edge_through_edge(const std::array<Number_point<N>, 3>& p, int e
   const Number_point<N>&from = p[edge_p], &other = q[edge_q];
   const auto whole = difference(p[(edge_p + 1) % 3], from), beside = difference(q[(edge_q + 1) % 3], other);
   const auto normal = cross(whole, beside);
-  return along(from, whole, N(dot(cross(difference(other, from), beside), normal) / dot(normal, normal)));
+  return sum(from, scaled(whole, N(dot(cross(difference(other, from), beside), normal) / dot(normal, normal))));
 }
 
 }  // namespace detail

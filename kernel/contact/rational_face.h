@@ -21,9 +21,7 @@ inline Rational_point exact_point(const Vertex& v) { return {v[0], v[1], v[2]}; 
 /// Returns a + share (b - a).
 inline Rational_point between(const Rational_point& a, const Rational_point& b, const Rational& share)
 {
-  Rational_point p;
-  for (int k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
-  return p;
+  return sum(a, scaled(difference(b, a), share));
 }
 
 /// Returns the largest magnitude of a coordinate.

@@ -22,8 +22,7 @@ namespace tetracone::kernel {
 /// becomes NaN, with which no bound separates anything.
 inline Vertex scaled_to_one(const Vertex& v)
 {
-  const double shrink = 1 / maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
-  return {v[0] * shrink, v[1] * shrink, v[2] * shrink};
+  return scaled(v, 1 / maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2])));
 }
 
 /// The part of a body's local units that the bounds need. A local point p is o + unit p in its own coordinates, where
@@ -288,8 +287,7 @@ class Motion_span {
   /// Returns the vector from a local point of A to one of B.
   static Vertex between(const Maps& maps, const Vertex& a, const Vertex& b)
   {
-    const Vertex from = direction(maps, 0, a), to = direction(maps, 1, b);
-    return {maps.offset[0] + (to[0] - from[0]), maps.offset[1] + (to[1] - from[1]), maps.offset[2] + (to[2] - from[2])};
+    return sum(maps.offset, difference(direction(maps, 1, b), direction(maps, 0, a)));
   }
 
   /// Returns the maps of what(the entries of `given`), with a weight of 1.

@@ -53,7 +53,7 @@ inline std::optional<Ball_vector> way_to_edge(const Ball_vector& x, const Ball_v
   const Ball_vector e = difference(b, a), r = difference(x, a);
   const Double_double_ball length = dot(e, e), at = dot(r, e);
   if (!at.is_positive() || !(length - at).is_positive()) return std::nullopt;
-  return Ball_vector{e[0] * at - r[0] * length, e[1] * at - r[1] * length, e[2] * at - r[2] * length};
+  return difference(scaled(e, at), scaled(r, length));
 }
 
 /// Returns the cross product of two edges; nothing unless the nearest points of their lines are surely within both.

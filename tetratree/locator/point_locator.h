@@ -6,6 +6,7 @@
 #include "tetracone/kernel/bound/cone_probe.h"
 #include "tetracone/kernel/bound/cone_slab.h"
 #include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <algorithm>
 #include <array>
@@ -509,8 +510,7 @@ class Point_locator {
   int exact_crossing(const covering::Covering_triangle& t, const kernel::Local_point& direction) const
   {
     const kernel::Pose to_origin = kernel::Pose::translation(scale_.origin[0], scale_.origin[1], scale_.origin[2]);
-    const K::Point_3 p =
-        K::placed({direction[0] * scale_.unit, direction[1] * scale_.unit, direction[2] * scale_.unit}, to_origin);
+    const K::Point_3 p = K::placed(kernel::scaled(direction, scale_.unit), to_origin);
     const auto corner = [&](int k) { return model_->point(t.corner[k]); };
     const K::Point_3& o = model_->origin();
     const kernel::Sign volume = kernel::volume_sign<K>(o, corner(0), corner(1), corner(2));

@@ -5,6 +5,7 @@
 #include "tetracone/kernel/bound/point_triangle.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/nearest_root.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/enclosed_distance.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 
@@ -120,11 +121,7 @@ class Bvh8_points {
   const covering::Vertex& vertex(Index v) const { return tree_->model().vertices()[v]; }
 
   /// Returns a vertex relative to the point, in local units: two roundings.
-  kernel::Double_vector relative(Index v) const
-  {
-    const covering::Vertex& at = vertex(v);
-    return {(at[0] - x_[0]) * per_unit_, (at[1] - x_[1]) * per_unit_, (at[2] - x_[2]) * per_unit_};
-  }
+  kernel::Double_vector relative(Index v) const { return kernel::scaled(kernel::difference(vertex(v), x_), per_unit_); }
 
   /// Collects the elements that may be nearest to the point. Its coordinates have an error of at most `error`.
   void search(const covering::Vertex& x, double error)
