@@ -253,7 +253,7 @@ struct Gap_rule {
     Exact_vector centre, half;
   };
 
-  Exact_number top = 0, bottom = 1;  ///< in the exact points' units
+  Exact_number top = 0, bottom = 1;  ///< of the squared distance, in the exact points' units
   bool or_equal = false;
   double rounded = 0;  ///< near the distance that is asked for, in rounded units
   std::optional<Sweep> sweep = {};
