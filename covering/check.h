@@ -41,8 +41,8 @@ inline std::vector<Polyhedron> shells(const Polyhedron& polyhedron)
   return result;
 }
 
-/// True when the faces, glued along their edges, are a 2-manifold without border. Then every edge is used once in each
-/// direction, and the corners around each vertex form one cycle. Requires that every vertex is used.
+/// True when the faces, glued along their edges, are an oriented 2-manifold without border. Then every edge is used
+/// once in each direction, and the corners around each vertex form one cycle. Vertices of no face do not count.
 inline bool is_manifold(const Polyhedron& polyhedron)
 {
   const auto uses = edge_uses(polyhedron);
@@ -80,7 +80,8 @@ inline bool is_manifold(const Polyhedron& polyhedron)
   return true;
 }
 
-/// The orientation of a surface, by the sign of its signed volume. `mixed`: shells differ. `open`: it is not closed.
+/// The orientation of a surface, by the sign of its signed volume. `mixed`: shells differ. `open`: it is not closed, or
+/// has no face.
 enum class Orientation { outward, inward, flat, mixed, open };
 
 /// Returns the name of an orientation.
@@ -102,7 +103,7 @@ struct Shell {
   Orientation orientation = Orientation::open;
 };
 
-/// A directed edge that is used more often than its reverse.
+/// A directed edge that is used more often than its reverse, and how often both are.
 struct Open_edge {
   Index from, to;
   std::size_t uses, reverse_uses;
@@ -120,11 +121,11 @@ struct Check {
   std::vector<Index> holed_faces;  ///< faces with hole loops
 
   bool closed = false;
-  std::vector<Open_edge> open_edges;
+  std::vector<Open_edge> open_edges;   ///< none where it is closed
   std::size_t border_edges = 0;        ///< edges used once
   std::size_t non_manifold_edges = 0;  ///< edges used more than twice
 
-  std::vector<Shell> shells;
+  std::vector<Shell> shells;                    ///< in the order of their first faces
   Orientation orientation = Orientation::open;  ///< of all shells; `mixed` where they differ
   std::optional<kernel::Rational> volume;       ///< signed, exact; of a closed polyhedron
 
@@ -135,7 +136,7 @@ struct Check {
   std::vector<Index> isolated_vertices;                ///< vertices of no face
 };
 
-/// Returns the counts of one shell, its genus, volume and orientation.
+/// Returns the counts of one connected shell, its genus, volume and orientation.
 inline Shell check_shell(const Polyhedron& shell)
 {
   Shell result;

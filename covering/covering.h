@@ -66,6 +66,7 @@ class Both {
         })
   {}
 
+  /// True when the two things are done one after the other.
   bool is_in_turn() const { return call_ == nullptr; }
 
   void operator()(const Thing& one, const Thing& other) const
@@ -96,7 +97,8 @@ void in_parts(Index first, Index last, const Both& both, const What& what, Index
   both([&] { in_parts(first, middle, both, what, most); }, [&] { in_parts(middle, last, both, what, most); });
 }
 
-/// Returns the sum of what(begin, end) over the parts of `in_parts`. Later sums are added to earlier ones, by `add`.
+/// Returns the sum of what(begin, end) over the parts of `in_parts`. Sums of later parts are added to those of earlier
+/// ones: sum.add(later).
 template <class What>
 auto sum_of_parts(Index first, Index last, const Both& both, const What& what) -> decltype(what(first, last))
 {
@@ -128,6 +130,7 @@ struct Unset : std::allocator<T> {
     std::construct_at(at, std::forward<Arguments>(arguments)...);
   }
 };
+/// A vector of such elements.
 template <class T>
 using Unset_vector = std::vector<T, Unset<T>>;
 
@@ -155,6 +158,7 @@ class Covering {
     edge_begin_.shrink_to_fit();
   }
 
+  /// Returns the triangles of all faces, face after face.
   std::span<const Covering_triangle> triangles() const { return triangles_; }
 
   /// Returns the real edges, undirected: pairs of vertex numbers, the smaller first, sorted, each once.
@@ -179,12 +183,10 @@ class Covering {
   const std::vector<Index>& shell_vertices() const { return shell_vertices_; }
 
  private:
-  /// Codes for a face's plane basis beside the usual one. The usual code names two of the next fourteen corners after
-  /// the first, four bits each.
-  ///
-  /// - `by_none`: all corners are on one line.
-  /// - `by_others`: other corners, in `plane_bases_`.
-  static constexpr std::uint8_t by_none = 0, by_others = 255;
+  // Codes for a face's plane basis beside the usual one. The usual code names two of the next fourteen corners after
+  // the first, four bits each.
+  static constexpr std::uint8_t by_none = 0,  ///< all corners are on one line
+      by_others = 255;                        ///< other corners, in `plane_bases_`
 
   std::span<const Index> part(const std::vector<Index>& of, Index f) const
   {
@@ -364,7 +366,7 @@ class Covering {
   std::vector<Index> edge_begin_;  // during construction: where the edges of each vertex begin
   std::vector<Index> from_, to_;
   std::vector<Index> face_corner_begin_;
-  std::vector<std::uint8_t> spanned_;
+  std::vector<std::uint8_t> spanned_;                            // codes of plane bases
   std::unordered_map<Index, std::array<Index, 3>> plane_bases_;  // of the faces with `by_others`
   std::vector<Index> shell_vertices_;
 };

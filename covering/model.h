@@ -43,8 +43,10 @@ class Model {
 
   /// Returns the lattice of directions about O, the origin of the covering and of all tetra-cones.
   const kernel::Cone_lattice& lattice() const { return lattice_; }
+  /// Returns O as a point of K.
   const kernel::Point<K>& origin() const { return origin_; }
 
+  /// Returns vertex v as K sees it.
   Point point(Index v) const
   {
     if constexpr (keeps_points)
@@ -124,6 +126,7 @@ class Placed_model {
   /// Returns the sign of det M of the pose: NEGATIVE reverses every tetrahedron.
   kernel::Sign determinant_sign() const { return determinant_sign_; }
 
+  /// Returns vertex v, placed. The reference is valid as long as this; the next `place` may change the point.
   const Point& point(Index v)
   {
     std::unique_ptr<Block>& block = blocks_[v / block_size];
@@ -165,7 +168,8 @@ class Placed_model {
   std::uint64_t now_ = 1;
 };
 
-/// A face of a body, which is a model where it stands or a placed model, as `kernel::segment_face` wants it.
+/// A face of a body as `kernel::segment_face` takes it. The body is a model where it stands, or a placed model. It must
+/// outlive the face.
 template <class Body>
 class Body_face {
  public:
@@ -191,7 +195,7 @@ using Placed_face = Body_face<Placed_model<K>>;
 template <class K>
 using Model_face = Body_face<const Model<K>>;
 
-/// Returns how the closed segment pq and face `f` of a placed model meet.
+/// Returns how the closed segment pq and face `f` of a placed model meet, as `kernel::segment_face` does.
 template <class K>
 kernel::Contact segment_face(const kernel::Point<K>& p, const kernel::Point<K>& q, Placed_model<K>& body, Index f)
 {

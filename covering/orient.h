@@ -58,7 +58,7 @@ inline std::vector<bool> turns_across_edges(const Polyhedron& polyhedron)
   return turned;
 }
 
-/// Appends face `f` of `from` to `to`, with its loops turned round when `turn`.
+/// Appends face `f` of `from` to `to`, with its loops turned round when `turn`. Vertices keep their numbers.
 inline void append_face(Polyhedron& to, const Polyhedron& from, Index f, bool turn)
 {
   to.add_face(face_loops(from, f, turn));
@@ -87,15 +87,15 @@ inline Polyhedron part(const Polyhedron& polyhedron, const std::vector<Index>& f
   return result;
 }
 
-/// A polyhedron with faces turned round, and which ones.
+/// A polyhedron of which some faces have been turned round.
 struct Oriented {
   Polyhedron polyhedron;
-  std::vector<Index> turned;  ///< ascending
+  std::vector<Index> turned;  ///< the faces that were turned, ascending
 };
 
 /// Returns the polyhedron oriented. `turned` says which faces to turn so that edges cancel in each of `edge_groups`.
 /// - A group that is closed as it stands is left alone: inward, it may be a cavity.
-/// - A group that becomes closed is turned outward, to a positive volume.
+/// - A group that becomes closed is turned outward: its volume is not negative.
 /// - Any other group is turned as a whole where that leaves fewer of its faces changed.
 inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool> turned)
 {

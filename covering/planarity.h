@@ -54,7 +54,8 @@ inline Planarity planarity(const Polyhedron& polyhedron, Index f)
   return Planarity::planar;
 }
 
-/// Returns the square root of a rational >= 0 as a double. The rational may exceed the range of double.
+/// Returns the square root of a rational >= 0 as a double, with a few roundings. The rational may exceed the range of
+/// double.
 inline double square_root(kernel::Rational square)
 {
   if (square == 0) return 0;
@@ -70,7 +71,7 @@ struct Off_plane {
   Index face;
   Index vertex;                       ///< the one farthest from the plane, the first of equals
   kernel::Rational squared_distance;  ///< of that vertex, exact
-  double distance;                    ///< its square root, rounded
+  double distance;                    ///< its square root, as `square_root` rounds it
 };
 
 /// Returns the largest distance of a corner of face `f` from the plane through three of its corners p, q, r. p is the

@@ -78,7 +78,7 @@ class Polyhedron {
   {
     for_arrays_of(*this, what);
   }
-  /// Does the same where `what` may change the arrays. Requires that they are a polyhedron's afterwards.
+  /// Calls what(array) likewise, where it may change the arrays. Requires that they are a polyhedron's afterwards.
   template <class What>
   void for_arrays(const What& what)
   {
@@ -187,7 +187,8 @@ inline std::vector<Index> least_equal_vertices(const std::vector<Vertex>& vertic
   return least;
 }
 
-/// Returns a polyhedron of the same vertices. Its faces are the triangles, then each face that has no triangle.
+/// Returns a polyhedron of these vertices. Its faces are the triangles, in their order, then each face that has no
+/// triangle.
 inline Polyhedron each_triangle_a_face(const Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
 {
   Polyhedron result;

@@ -2,9 +2,9 @@
 #define TETRACONE_COVERING_SIDE_WINDINGS_H
 
 #include "tetracone/covering/polyhedron.h"
-#include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <array>
 #include <cmath>
@@ -32,8 +32,7 @@ kernel::Rational_face placed_face(const Polyhedron& polyhedron, Index f, const P
 /// Returns a face in rationals, under a pose.
 inline kernel::Rational_face rational_face(const Polyhedron& polyhedron, Index f, const kernel::Pose& pose)
 {
-  std::array<kernel::Rational, 12> m;
-  for (int k = 0; k < 12; ++k) m[k] = pose.exact(k);
+  const std::array<kernel::Rational, 12> m = kernel::rows_of(pose);
   return placed_face(polyhedron, f, [&](const kernel::Vertex& v) { return kernel::image(v, m); });
 }
 

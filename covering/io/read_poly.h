@@ -19,8 +19,8 @@ namespace tetracone::covering {
 /// The nodes of a TetGen file: "count dimension attributes markers", then a line a node, "index x y z ...".
 struct Poly_nodes {
   std::vector<kernel::Vertex> vertices;
-  Unplaced_points unplaced;
-  std::uint64_t first = 0;  ///< the index of the first one: 0 or 1
+  Unplaced_points unplaced;  ///< those whose coordinates are not finite
+  std::uint64_t first = 0;   ///< the index of the first one: 0 or 1
 };
 
 /// Returns the nodes that begin on the next line. Throws Input_error.
@@ -79,8 +79,8 @@ inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& cou
   return result;
 }
 
-/// Reads the facets into `model`. It checks the hole points of the volume and drops them, with a note. The regions,
-/// last in the file, are not read. Throws Input_error.
+/// Reads the nodes and the facets into `model`. It checks the hole points of the volume and drops them, with a note.
+/// The regions, last in the file, are not read. Throws Input_error.
 inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_model& model)
 {
   Polyhedron& polyhedron = model.polyhedron;

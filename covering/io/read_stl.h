@@ -77,8 +77,8 @@ inline Stl_layout layout_of_binary_stl(const std::string& file, std::string_view
                     "expected " + std::to_string(usual) + " bytes");
 }
 
-/// Returns what a binary STL holds: 80 bytes, the count of triangles, then 50 bytes a triangle, laid out as
-/// `layout_of_binary_stl` says. Vertices are the three corners of each triangle, not merged.
+/// Returns the contents of a binary STL: 80 bytes, the count of triangles, then 50 bytes a triangle, laid out as
+/// `layout_of_binary_stl` says. Vertices are the three corners of each triangle, not merged. Throws Input_error.
 inline Scan scan_stl_binary(const std::string& file, std::string_view text)
 {
   const Stl_layout layout = layout_of_binary_stl(file, text);
@@ -109,7 +109,8 @@ inline Scan scan_stl_binary(const std::string& file, std::string_view text)
   return scan;
 }
 
-/// The words of an STL text, one after the other, whatever their lines.
+/// The words of an STL text, one after the other, whatever their lines. It also records whether keywords are written as
+/// CGAL takes them.
 class Stl_words {
  public:
   Stl_words(const std::string& file, std::string_view text) : lines_(file, text, '\0') {}
@@ -132,9 +133,10 @@ class Stl_words {
   /// Makes the current word come once more.
   void keep() { is_kept_ = true; }
 
-  /// True when the current word is the keyword, in any case of letters.
+  /// True when the current word is the keyword, in any case of letters. It records what `begins_with` does.
   bool is(std::string_view keyword) { return begins_with(keyword) && word().size() == keyword.size(); }
-  /// True when the current word begins with the keyword.
+  /// True when the current word begins with the keyword, in any case of letters. It records a longer word, and letters
+  /// that are not lower.
   bool begins_with(std::string_view keyword)
   {
     const bool begins = std::ranges::equal(word().substr(0, keyword.size()), keyword,
@@ -162,6 +164,7 @@ class Stl_words {
 
   std::string_view word() const { return lines_.words()[at_]; }
   const Text_lines& lines() const { return lines_; }
+  /// Throws Input_error about the current word: the word in quotes, `what`, and what was expected.
   [[noreturn]] void fail(const std::string& what, const std::string& expected) const
   {
     lines_.fail(in_quotes(word()) + what, "expected " + expected);
@@ -169,6 +172,7 @@ class Stl_words {
 
   /// True when all keywords so far are written as CGAL takes them.
   bool is_usual() const { return usual_; }
+  /// Records a spelling that CGAL does not take.
   void be_unusual() { usual_ = false; }
 
  private:
@@ -187,7 +191,7 @@ inline void need_stl_keywords(Stl_words& words, std::initializer_list<std::strin
   }
 }
 
-/// Reads `endloop` or `end loop`, and so on.
+/// Reads `endloop` or `end loop` for `what` = "loop", and so on. Throws Input_error.
 inline void need_stl_end(Stl_words& words, std::string_view what)
 {
   const std::string keyword = "end" + std::string(what);
@@ -198,7 +202,7 @@ inline void need_stl_end(Stl_words& words, std::string_view what)
   need_stl_keywords(words, {what});
 }
 
-/// Reads a triangle behind its keyword `facet`.
+/// Reads a triangle behind its keyword `facet`. Throws Input_error.
 inline void scan_stl_facet(Stl_words& words, Scan& scan)
 {
   const auto fail_without_normal = [&] {
@@ -232,7 +236,7 @@ inline void scan_stl_facet(Stl_words& words, Scan& scan)
 /// may be of any case, and lines are free. An `end` may stand apart (`end solid`), and a name may stick to `solid` and
 /// `endsolid`. Normals must be there; they and colours (`color` and numbers) are not used. Vertices are the three
 /// corners of each triangle, not merged. Other spellings than CGAL's own, and names that hold a keyword, are read by
-/// the scan alone.
+/// the scan alone (`Scan::cgal_knows`). Throws Input_error.
 inline Scan scan_stl_text(const std::string& file, std::string_view text)
 {
   Scan scan;
@@ -286,7 +290,7 @@ inline bool is_stl_text(std::string_view text)
   return solid && text.find('\0') == std::string_view::npos;
 }
 
-/// Scans an STL file, text or binary.
+/// Scans an STL file, text or binary. Throws Input_error.
 inline Scan scan_stl(const std::string& file, std::string_view text)
 {
   if (text.empty()) throw Input_error(file, 0, "the file is empty", "expected an STL file");

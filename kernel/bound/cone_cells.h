@@ -28,12 +28,13 @@ inline double octahedral_norm(const Local_point& p) { return std::abs(p[0]) + st
 /// each rounded at most five times. Errors of the coordinates add at most 8 e for a, 8 e for b and 6 e for p, e =
 /// `local_error`. The sum of all errors is below 2^-46.
 inline constexpr double cone_side_bound = 0x1p-44;
+/// Returns det[a, b, p].
 template <class Number>
 Number cone_determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b, const std::array<Number, 3>& p)
 {
-  return (a[1] * b[2] - a[2] * b[1]) * p[0] + (a[2] * b[0] - a[0] * b[2]) * p[1] + (a[0] * b[1] - a[1] * b[0]) * p[2];
+  return determinant(a, b, p);
 }
-/// Returns the sign of det[a, b, p], 0 where the filter is uncertain.
+/// Returns the sign of det[a, b, p]; 0 where the filter is uncertain.
 inline int cone_side(const Local_point& a, const Local_point& b, const Local_point& p)
 {
   const double side = cone_determinant(a, b, p);
@@ -58,16 +59,15 @@ inline int cone_holds(const Local_point& w, const Local_point& a, const Local_po
 /// 56 in all, each rounded at most eight times with its differences. Errors of the coordinates, 2 e in a difference,
 /// add at most 2 e (28 + 28 + 24). The sum of all errors is below 2^-43.
 inline constexpr double plane_side_bound = 0x1p-42;
+/// Returns det[b - a, c - a, p - a].
 template <class Number>
 Number plane_determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b, const std::array<Number, 3>& c,
                          const std::array<Number, 3>& p)
 {
-  const Number bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
-  const Number cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
-  return (by * cz - bz * cy) * (p[0] - a[0]) + (bz * cx - bx * cz) * (p[1] - a[1]) +
-         (bx * cy - by * cx) * (p[2] - a[2]);
+  return determinant(difference(b, a), difference(c, a), difference(p, a));
 }
-/// Returns the side of the plane a b c on which p lies, 0 where the filter is uncertain.
+/// Returns the sign of det[b - a, c - a, p - a], the side of the plane a b c on which p lies. Returns 0 where the
+/// filter is uncertain.
 inline int plane_side(const Local_point& a, const Local_point& b, const Local_point& c, const Local_point& p)
 {
   const double side = plane_determinant(a, b, c, p);
@@ -89,12 +89,6 @@ struct Local_facet {
   // Both are proved in verify/proofs/cone_proofs.h.
   static constexpr double normal_error = 0x1p-46,  ///< upper bound of the error of a component of the normal
       offset_error = 0x1p-43;                      ///< upper bound of the error of the offset
-
-  template <class Number>
-  static std::array<Number, 3> normal_of(const std::array<std::array<Number, 3>, 3>& t)
-  {
-    return cross(difference(t[1], t[0]), difference(t[2], t[0]));
-  }
 };
 
 /// Cells of directions about an origin. Each octant of the octahedron |x| + |y| + |z| = 1 has an n x n lattice, whose
@@ -136,7 +130,7 @@ class Cone_cells {
   {
     return coordinate * (n / norm);
   }
-  /// Returns a coordinate of a point of an edge.
+  /// Returns a coordinate of the point at a share of an edge.
   template <class Number>
   static Number on_edge(const Number& from, const Number& to, const Number& share)
   {
@@ -167,9 +161,10 @@ class Cone_cells {
   explicit Cone_cells(int n) : n_(n) {}
 
   int n() const { return n_; }
+  /// Returns the number of cells.
   std::size_t count() const { return 8 * octant_size(); }
 
-  /// Returns the cell of a point of this norm. Requires norm >= core.
+  /// Returns the number of the cell of a point. Requires that `norm` is its `octahedral_norm`, and at least `core`.
   std::size_t cell(const Local_point& p, double norm) const
   {
     const double scale = n_ / norm;
@@ -179,7 +174,7 @@ class Cone_cells {
     return octant * octant_size() + row(i) + std::size_t(j);
   }
 
-  /// Directions of norm 1 whose convex hull holds a wide cell.
+  /// Directions whose convex hull holds a wide cell. Their norm is 1 by the octant's r. Two are equal for a triangle.
   using Corners = std::array<Local_point, 4>;
 
   /// Calls what(cell, direction, corners) for every cell in order, with a direction of norm 1 well within it.

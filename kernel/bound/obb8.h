@@ -39,6 +39,15 @@ inline std::array<double, 3> centre_of(const Obb8& boxes, int lane)
   return centre;
 }
 
+/// Returns the half edges of box `lane`: its axes, times its extents.
+inline std::array<std::array<double, 3>, 3> half_edges_of(const Obb8& boxes, int lane)
+{
+  std::array<std::array<double, 3>, 3> half_edge;
+  for (int j = 0; j < 3; ++j)
+    for (int k = 0; k < 3; ++k) half_edge[j][k] = double(boxes.extent[j][lane]) * double(boxes.axis[j][k][lane]);
+  return half_edge;
+}
+
 /// A point's coordinates s along axes of defect d differ from a_i . y by at most 3 d (1 + 4 d) max_k |a_k . y|. The
 /// factor 4 covers that and rounding in double. |a_i|_1 is below 2: an error of each coordinate moves a point along an
 /// axis by at most this factor. Both are proved in verify/proofs/separation_proofs.h.

@@ -9,12 +9,8 @@
 #include <cstddef>
 #include <limits>
 
-namespace tetracone::kernel {
-
-/// Factor that covers the roundings of the root of a squared distance: 1.5 * 2^-20 and a few roundings
-/// (verify/proofs/obb8_distance_proofs.h).
+/// Lower bounds of the squared distances of eight boxes from one, in the local units of the eight.
 ///
-/// The tests below find lower bounds of the squared distances of eight boxes from one, in the local units of the eight.
 /// In the frame of a box's axes a_i the other box lies in an axis-parallel box. Points of both differ along a_i by g_i
 /// = |a_i . t| - e_i - sum_j f_j |a_i . edge_j| or more, where that is positive, t from centre to centre. With axes of
 /// a defect d (`axis_defect`) |y|^2 >= (1 - 3 d) sum_i (a_i . y)^2. For a similarity, another bound holds in the frame
@@ -23,6 +19,10 @@ namespace tetracone::kernel {
 ///
 /// Each is improved along the vector n = sum_i +-g_i a_i that it found. A lower bound of the difference of the boxes
 /// along n is sum_i g_i (|t_i| - e_i) - sum_j f_j |sum_i +-g_i a_i . edge_j|. Divided by |n|, it bounds the distance.
+namespace tetracone::kernel {
+
+/// Factor of the root of a squared distance. It covers the defect of the frames' axes, 1.5 * 2^-20, and a few roundings
+/// (verify/proofs/obb8_distance_proofs.h).
 inline constexpr float distance_shrink = 1 - 0x1p-18f;
 
 /// Upper bound of the error of g_i, relative to M = |t|_1 + reach + sum of extents, beside the position's error
@@ -34,8 +34,8 @@ inline constexpr double distance_rounding = 64 * 0x1p-24;
 
 /// The parameters of lower bounds of gaps.
 struct Gap_question {
-  float stretch;  ///< lower bound of the length of a unit vector of the eight, in the asked units, times
-                  ///< `distance_shrink`
+  float stretch;  ///< `distance_shrink` times a lower bound of the length that a unit vector of the eight has in the
+                  ///< asked units; 0 gives no bound
   float limit;    ///< lanes farther apart than this are not wanted
   float known;    ///< a lower bound that is known already
   float size;     ///< the size of a box is this times the sum of its extents
@@ -64,7 +64,7 @@ struct Gap_test {
 /// The largest number of tests that are made at once.
 inline constexpr std::size_t most_gap_tests = 4;
 
-/// Returns the size of a box by the sum of its extents, not below the least normal number.
+/// Returns the size of a box, `factor` times the sum of its extents, not below the least normal number.
 inline float box_size(float sum, float factor)
 {
   const float size = sum * factor;
@@ -78,7 +78,8 @@ inline float box_size(float sum, float factor)
 
 namespace tetracone::kernel {
 
-/// Makes up to `most_gap_tests` tests together, so that no test waits for the data of another.
+/// Writes the results of up to `most_gap_tests` tests. They are made together, so that no test waits for the data of
+/// another.
 inline void find_gaps(Gap_test* tests, std::size_t count)
 {
   static auto* const fastest = TETRACONE_SIMD_FASTEST(find_gaps_simd);

@@ -36,7 +36,8 @@ inline constexpr float gap_shrink = 1 - 0x1p-17f;
 /// (verify/proofs/gap_proofs.h).
 inline constexpr float radius_rounding = 0x1p-16f;
 
-/// Returns the slack of certified gaps for a box that `carried` has placed; not finite where nothing is known.
+/// Returns the slack of certified gaps for a single box in the frame of the eight; not finite where nothing is known.
+/// `reach` is the eight's, and `size` an upper bound of the sum of the single box's extents there.
 inline float gap_slack(const Single_box& box, float reach, float size)
 {
   const float way = std::abs(box.centre[0]) + std::abs(box.centre[1]) + std::abs(box.centre[2]);
@@ -62,12 +63,10 @@ struct alignas(32) Certified_gaps {
 struct alignas(64) Carried_box {
   double image[4];        ///< of the centre, in double; the fourth is not used
   float edge[3][4];       ///< images of the half edges; the fourth is not used
-  float centre[3];        ///< in the box's own local units
+  float centre[3];        ///< in the local units of the box's own body
   float half_edge[3][3];  ///< in these units
-
-  /// `error`: upper bound of the error of the images then. `rounding`: that part of it which is due to rounding, for a
-  /// map of scale 1.
-  float error, rounding;
+  float error;            ///< upper bound of the error of the images then
+  float rounding;         ///< the part of `error` that is due to rounding, for a map of scale 1
 
   /// Upper bound of the error of n . y in float, relative to |p_t - p_0|_1 (verify/proofs/gap_proofs.h). n and y may
   /// have been rounded once each; products and sums have 3 roundings.
@@ -81,12 +80,6 @@ struct alignas(64) Carried_box {
   /// Upper bound of the error of three sums of two coordinates of magnitude at most 2, and of underflow:
   /// verify/proofs/gap_proofs.h.
   static constexpr double centre_rounding = 0x1p-20;
-
-  template <class Number>
-  static Number placed(Number offset, Number x, Number y, Number z)
-  {
-    return ((offset + x) + y) + z;
-  }
 };
 
 /// A box about the elements that move on, in its own local units: all c + sum_j s_j h_j, |s_j| <= 1.
@@ -115,8 +108,8 @@ struct alignas(32) Carrier {
   const Box_map* map;
   Course course;
   double error;  ///< see `Placement`
-  double scale;
-  float slack;  ///< upper bound of the error of a gap's rate
+  double scale;  ///< see `Relative_frame`
+  float slack;   ///< upper bound of the error of a gap's rate
 
   /// Upper bound of the error of a rate in float, relative to the course's size (verify/proofs/gap_proofs.h).
   /// Coordinates are at most |c_k| + sum_j |h_jk|, which is below 5, since boxes of points |p_k| <= 1 are no longer
@@ -150,8 +143,8 @@ struct Gap_and_rate {
 namespace tetracone::kernel {
 
 /// Writes the certified gaps of the lanes of `boxes` and box `lane` of `from`, in the local units of the eight. `map`,
-/// a similarity, carries that box into their frame; `apex` is the place of a triangle in it. Lanes without a box may
-/// have any value.
+/// a similarity, carries that box into their frame; `apex` is the place of a triangle in it. For another map, or a
+/// slack above `most_gap_slack`, all gaps are 0. Lanes without a box may have any value.
 inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float apex,
                            Certified_gaps& gaps)
 {
@@ -159,8 +152,8 @@ inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& fr
   fastest(boxes, map, from, lane, apex, gaps);
 }
 
-/// Writes box `lane` of `from` as it is carried now. (It is not returned: unoptimised, g++ 12 does not align a
-/// temporary of this size.)
+/// Writes box `lane` of `from` as it is carried now. It is not returned: without optimisation, g++ 12 does not align a
+/// temporary of this size.
 inline void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
 {
   static auto* const fastest = TETRACONE_SIMD_FASTEST(carry_now_simd);

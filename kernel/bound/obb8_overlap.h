@@ -12,7 +12,7 @@
 namespace tetracone::kernel {
 
 /// Returns the lanes of `boxes` that are not found apart from the single box, as bits. `similarity` is true when the
-/// single box's edges are nearly orthogonal. Lanes that hold nothing may be among the answers of both functions.
+/// single box's edges are nearly orthonormal. Lanes that hold nothing may be among the answers of both functions.
 inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool similarity)
 {
   static auto* const fastest = TETRACONE_SIMD_FASTEST(overlapping_simd);

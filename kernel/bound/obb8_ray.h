@@ -20,12 +20,13 @@ namespace tetracone::kernel {
 /// sqrt(3) times `farthest`, with two more roundings.
 struct Local_ray {
   std::array<double, 3> origin, direction;
-  double skipped;                             ///< the length from the ray's own origin to `origin`
-  static constexpr double length = 4;         ///< upper bound of the s at which the ray meets the body
-  static constexpr double farthest = 0x1p29;  ///< upper bound of the coordinates of the ray's own origin
-  static constexpr double error = 0x1p-20;    ///< upper bound of the error of a coordinate
-                                              ///< (verify/proofs/obb8_ray_proofs.h)
-  static constexpr float slack = 0x1p-16f, least_step = 0x1p-30f;  ///< see `ray_lanes`
+  double skipped;                                ///< the length from the ray's own origin to `origin`
+  static constexpr double length = 4;            ///< upper bound of the s at which the ray meets the body
+  static constexpr double farthest = 0x1p29;     ///< upper bound of the coordinates of the ray's own origin
+  static constexpr double error = 0x1p-20;       ///< upper bound of the error of a coordinate
+                                                 ///< (verify/proofs/obb8_ray_proofs.h)
+  static constexpr float slack = 0x1p-16f;       ///< upper bound of the errors of `ray_lanes`, the same file
+  static constexpr float least_step = 0x1p-30f;  ///< a smaller step along an axis is replaced by it: see `ray_lanes`
 
   /// Returns the local ray of a ray in the model's units; nothing where it does not come near the body. Requires
   /// `may_be_local`, and a d whose components are at most 2, one of them at least 1.

@@ -31,9 +31,10 @@ struct Point_way {
   using Rows = std::array<std::array<double, 3>, 3>;
 
   alignas(32) double offset[4] = {}, single[3][4] = {}, eight[3][4] = {};  ///< columns; of each, the fourth is 0
-  float rounded_eight[3][4] = {};
+  float rounded_eight[3][4] = {};                                          ///< `eight`, rounded to float
   double norm_of_single = 0, norm_of_eight = 0;  ///< upper bounds of the largest singular values
-  double size = 0;  ///< upper bound of the sum of the magnitudes of all terms, for points with coordinates of at most 2
+  double size = 0;  ///< upper bound of the sum of the magnitudes of all terms, up to few roundings, for points with
+                    ///< coordinates of at most 2
 
   Point_way() = default;
   Point_way(const std::array<double, 3>& shift, const Rows& of_single, const Rows& of_eight)
@@ -97,7 +98,7 @@ struct Sweep_test {
   const Box_map* map;
   const Obb8* from;
   int lane;
-  float apex;  ///< where a triangle lies in the single box
+  float apex;  ///< the place of a triangle in the single box; `no_apex` where it holds none
   const Box_sweep* sweep;
   Known_times known;
 
@@ -135,7 +136,8 @@ inline constexpr float time_rounding = 0x1p-21f;
 
 namespace tetracone::kernel {
 
-/// Makes up to `most_sweep_tests` tests together, so that no test waits for the data of another.
+/// Writes the results of up to `most_sweep_tests` tests. They are made together, so that no test waits for the data of
+/// another. For a map that is no similarity, and for slacks above `most_gap_slack`, all lanes are near.
 inline void find_near(Sweep_test* tests, std::size_t count)
 {
   static auto* const fastest = TETRACONE_SIMD_FASTEST(find_near_simd);

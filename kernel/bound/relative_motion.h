@@ -36,13 +36,7 @@ struct alignas(32) Box_corners {
     }
   }
 
-  explicit Box_corners(const Obb8& boxes, int lane)
-  {
-    std::array<Row, 3> half_edge;
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k) half_edge[j][k] = double(boxes.extent[j][lane]) * double(boxes.axis[j][k][lane]);
-    *this = Box_corners(centre_of(boxes, lane), half_edge);
-  }
+  explicit Box_corners(const Obb8& boxes, int lane) : Box_corners(centre_of(boxes, lane), half_edges_of(boxes, lane)) {}
 };
 
 /// The place of a body in the frame of another: the part of a `Box_map` that its motion needs.
@@ -63,8 +57,8 @@ struct alignas(32) Placement {
   /// verify/proofs/gap_proofs.h.
   static constexpr double position_norm = 2;
 
-  /// Returns the error of an image in double: the map's, in three coordinates, and a few roundings. The rounded terms
-  /// sum to at most |offset|_1 and three columns, each counted as 2 `scale`.
+  /// Returns `error`: the map's error in three coordinates, and a few roundings in double. The rounded terms sum to at
+  /// most |offset|_1 and three columns, each counted as 2 `scale`.
   static double error_of(const Box_map& map)
   {
     const double* offset = map.column(3);
@@ -109,8 +103,10 @@ struct alignas(32) Course {
     return course;
   }
 
-  /// Numbers of steps are multiples of `least_step`, so that floats hold their sums, up to `most_steps` + 1.
-  static constexpr double least_step = 0x1p-10, most_steps = 0x1p12;
+  /// Numbers of steps are multiples of it, so that floats hold their sums, up to `most_steps` + 1.
+  static constexpr double least_step = 0x1p-10;
+  /// The most steps for which a course is followed, in one motion and in all.
+  static constexpr double most_steps = 0x1p12;
 };
 
 /// Upper bound of the rounding error of bounds of motions in float, relative to the entries of a step

@@ -39,11 +39,11 @@ struct alignas(32) Edged_triangle {
 
 /// Bounds of the distance of two triangles.
 struct Triangle_gap {
-  double low = 0;      ///< lower bound of the distance
-  double high = 0;     ///< upper bound of the distance
-  double nearest = 0;  ///< the distance as computed
-  unsigned of_a = 0;   ///< corners that span the feature that seems to hold A's nearest point, as bits
-  unsigned of_b = 0;
+  double low = 0;             ///< lower bound of the distance
+  double high = 0;            ///< upper bound of the distance
+  double nearest = 0;         ///< the distance as computed
+  unsigned of_a = 0;          ///< corners of A that span the feature which seems to hold the nearest point, as bits
+  unsigned of_b = 0;          ///< corners of B, likewise
   Double_vector direction{};  ///< from A's nearest point to B's
 };
 
@@ -85,7 +85,7 @@ inline double below(double gap, double length, double slack)
 /// Returns an upper bound of a distance of points, by the distance as computed.
 inline double above(double distance, double slack) { return distance * (1 + length_rounding) + slack; }
 
-/// Two points, and the corners that span the features that hold them.
+/// Two points, p of A and q of B, and the corners that span the features that hold them, as bits.
 struct Nearest {
   Double_vector p{}, q{};
   unsigned of_a = 0, of_b = 0;
@@ -105,7 +105,7 @@ struct alignas(32) Near_edges {
 namespace tetracone::kernel {
 namespace triangle_distance {
 
-/// Returns the nearest points of the edges.
+/// Returns the nearest points of the edges of both, as computed, and the features that hold them.
 inline Nearest nearest_on_edges(const Edged_triangle& a, const Edged_triangle& b)
 {
   static auto* const fastest = TETRACONE_SIMD_FASTEST(nearest_on_edges_simd);
@@ -156,7 +156,8 @@ inline double least_along(const Double_vector& n, const Double_triangle& t)
 
 }  // namespace triangle_distance
 
-/// Returns a lower bound of the distance, by the gap along a direction; 0 where that gives none.
+/// Returns a lower bound of the distance, by the gap along a direction n from A to B; 0 where that gives none.
+/// Coordinates are at most `largest` and have an error of at most `position_error`.
 inline double least_gap(const Double_triangle& a, const Double_triangle& b, const Double_vector& n,
                         double position_error, double largest)
 {
@@ -164,7 +165,7 @@ inline double least_gap(const Double_triangle& a, const Double_triangle& b, cons
   const double length = std::sqrt(dot(n, n));
   // Below that, products of n underflow.
   if (!(length > 0x1p-400)) return 0;
-  const double gap = td::least_along(n, b) + td::least_along({-n[0], -n[1], -n[2]}, a);
+  const double gap = td::least_along(n, b) + td::least_along(negated(n), a);
   return td::below(gap, length, td::slack(position_error, largest));
 }
 
@@ -184,7 +185,7 @@ inline bool is_surely_before(const Double_vector& x, const Double_vector& p, con
 
 namespace triangle_distance {
 
-/// Returns the bounds that two points, one in each triangle, give.
+/// Returns the bounds that two points, one in each triangle, give. The other arguments are those of `least_gap`.
 inline Triangle_gap gap_of(const Nearest& points, const Double_triangle& a, const Double_triangle& b,
                            double position_error, double largest)
 {

@@ -30,6 +30,7 @@ class Rational_sum {
     parts_[k] = {std::move(term), true};
   }
 
+  /// Returns the sum of all terms.
   Rational value() const
   {
     Rational sum = 0;
@@ -55,7 +56,7 @@ struct Volume_moment {
   }
 };
 
-/// A fraction that may have a common factor. `bottom` is not 0.
+/// The fraction top / bottom, which may have a common factor.
 struct Wide_fraction {
   mpz_class top = 0, bottom = 1;
 
@@ -63,7 +64,7 @@ struct Wide_fraction {
   Wide_fraction(mpz_class numerator, mpz_class divisor) : top(std::move(numerator)), bottom(std::move(divisor)) {}
   Wide_fraction(const Rational& x) : top(x.get_num()), bottom(x.get_den()) {}
 
-  /// Returns the fraction in lowest terms.
+  /// Returns the fraction in lowest terms. Requires bottom != 0.
   Rational reduced() const
   {
     Rational fraction(top, bottom);
@@ -72,7 +73,7 @@ struct Wide_fraction {
   }
 };
 
-/// The volume and the centroid of a solid. The centroid means nothing where the volume is 0.
+/// The volume and the centroid of a solid. Where the volume is 0, the centroid means nothing: its `bottom` may be 0.
 struct Exact_solid {
   Wide_fraction volume;
   std::array<Wide_fraction, 3> centroid;
@@ -95,6 +96,7 @@ class Rational_cones {
     for (int k = 0; k < 3; ++k) moment_[k].add(volume * (a[k] + b[k] + c[k]));
   }
 
+  /// Returns the sums of all cones.
   Volume_moment value() const
   {
     return {volume_.value() / 6,
@@ -124,8 +126,9 @@ class Model_cones {
     }
   }
 
-  /// Returns the sums of the placed model. With the apex o in the model's coordinates, det[a - o, b - o, c - o] is
-  /// det[a, b, c] - o . n for n = a x b + b x c + c x a. The centroid of the cone is (o + a + b + c) / 4.
+  /// Returns the sums of the placed model; a reflection changes no sign of a volume. With the apex o in the model's
+  /// coordinates, det[a - o, b - o, c - o] is det[a, b, c] - o . n for n = a x b + b x c + c x a. The centroid of the
+  /// cone is (o + a + b + c) / 4.
   Volume_moment placed(const Rational_map& pose) const
   {
     const Rational_point o = pose.inverse({0, 0, 0});

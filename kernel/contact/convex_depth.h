@@ -5,6 +5,7 @@
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <CGAL/gmpxx.h>
 
@@ -18,11 +19,11 @@
 
 namespace tetracone::kernel {
 
-/// A convex solid: its corners, and numbers of the corners of its triangles and edges. An edge has two triangles, which
-/// use it in opposite directions.
+/// A convex solid: its corners, and its triangles and edges by numbers of corners.
 struct Convex_solid {
   struct Edge {
-    std::array<std::uint32_t, 2> corners, triangles;
+    std::array<std::uint32_t, 2> corners;
+    std::array<std::uint32_t, 2> triangles;  ///< numbers of its triangles, which use it in opposite directions
   };
 
   std::vector<Vertex> corners;
@@ -72,10 +73,9 @@ class Convex_depth {
 
  private:
   struct Body {
-    Body(const Convex_solid& convex, const Pose& pose) : solid(&convex), exact(convex.corners.size())
-    {
-      for (int k = 0; k < 12; ++k) map[std::size_t(k)] = pose.exact(k);
-    }
+    Body(const Convex_solid& convex, const Pose& pose)
+        : solid(&convex), map(rows_of(pose)), exact(convex.corners.size())
+    {}
 
     const Rational_point& exactly(std::uint32_t corner)
     {
@@ -198,9 +198,7 @@ class Convex_depth {
       };
       n = cross(edge(body_[0], c.first), edge(body_[1], c.second));
     }
-    if (c.sign < 0)
-      for (Rational& x : n) x = -x;
-    return n;
+    return c.sign > 0 ? n : negated(n);
   }
 
   /// Returns the largest product of `sign` n with the corners of a body, exactly. It skips corners whose rounded

@@ -2,7 +2,6 @@
 #define TETRACONE_KERNEL_CONTACT_CORNER_POINT_H
 
 #include "tetracone/kernel/number/products.h"
-#include "tetracone/kernel/number/vertex.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
 
 #include <array>
@@ -14,33 +13,16 @@ namespace tetracone::kernel {
 template <class N>
 using Number_point = std::array<N, 3>;
 
-/// Returns the image of a point under the twelve numbers of a pose.
-template <class X, class N>
-Number_point<N> image(const std::array<X, 3>& x, const std::array<N, 12>& m)
-{
-  Number_point<N> image;
-  for (int k = 0; k < 3; ++k)
-    image[k] = m[4 * k] * N(x[0]) + m[4 * k + 1] * N(x[1]) + m[4 * k + 2] * N(x[2]) + m[4 * k + 3];
-  return image;
-}
-
 namespace detail {
 
-template <class N>
-Number_point<N> along(const Number_point<N>& from, const Number_point<N>& step, const N& share)
-{
-  return {N(from[0] + share * step[0]), N(from[1] + share * step[1]), N(from[2] + share * step[2])};
-}
-
-/// Returns the point where edge `edge` of p goes through the plane of q.
+/// Returns the point where edge `edge` of p goes through the plane of q. Requires an edge that is not parallel to it.
 template <class N>
 Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int edge,
                                    const std::array<Number_point<N>, 3>& q)
 {
   const Number_point<N>& from = p[edge];
-  const auto whole = difference(p[(edge + 1) % 3], from),
-             normal = cross(difference(q[1], q[0]), difference(q[2], q[0]));
-  return along(from, whole, N(dot(normal, difference(q[0], from)) / dot(normal, whole)));
+  const auto whole = difference(p[(edge + 1) % 3], from), normal = normal_of(q);
+  return sum(from, scaled(whole, N(dot(normal, difference(q[0], from)) / dot(normal, whole))));
 }
 
 /// Returns the point where two edges of one plane cross. Requires edges that are not parallel.
@@ -51,7 +33,7 @@ Number_point<N> edge_through_edge(const std::array<Number_point<N>, 3>& p, int e
   const Number_point<N>&from = p[edge_p], &other = q[edge_q];
   const auto whole = difference(p[(edge_p + 1) % 3], from), beside = difference(q[(edge_q + 1) % 3], other);
   const auto normal = cross(whole, beside);
-  return along(from, whole, N(dot(cross(difference(other, from), beside), normal) / dot(normal, normal)));
+  return sum(from, scaled(whole, N(dot(cross(difference(other, from), beside), normal) / dot(normal, normal))));
 }
 
 }  // namespace detail

@@ -31,8 +31,8 @@ struct Cone_triangle {
   /// Returns a normal towards the outside.
   Number_point<N> normal() const
   {
-    const Number_point<N> n = cross(difference(corner[1], corner[0]), difference(corner[2], corner[0]));
-    return outward > 0 ? n : Number_point<N>{N(-n[0]), N(-n[1]), N(-n[2])};
+    const Number_point<N> n = normal_of(corner);
+    return outward > 0 ? n : negated(n);
   }
 };
 

@@ -4,6 +4,7 @@
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +18,7 @@ class Direction_view {
   /// Requires d != 0.
   explicit Direction_view(const Rational_point& d)
   {
-    int up = 0;
-    for (int k = 1; k < 3; ++k)
-      if (abs(d[k]) > abs(d[up])) up = k;
+    const int up = largest_axis(d);
     height_ = abs(d[up]);
     for (int i = 0; i < 2; ++i) {
       const int side = (up + 1 + i) % 3;
@@ -57,14 +56,6 @@ class Direction_view {
   std::array<Rational_point, 3> row_;
   Rational height_;
 };
-
-/// Returns a pose as a row-major 3x4 matrix.
-inline std::array<Rational, 12> rows_of(const Pose& pose)
-{
-  std::array<Rational, 12> rows;
-  for (int k = 0; k < 12; ++k) rows[k] = pose.exact(k);
-  return rows;
-}
 
 /// Returns the pose a moved by s d, and the pose b. Where an entry of the first exceeds the doubles, both are divided
 /// by one number, which changes no relation of bodies.

@@ -14,6 +14,7 @@
 namespace tetracone::kernel {
 
 /// A face, cut by segments of its plane into trapezoids, its cells. No segment and no edge meets the inside of a cell.
+/// Above and below a cell are the two sides of the plane, along `axis`.
 class Face_cells {
  public:
   using Edge = Rational_face::Edge;
@@ -30,7 +31,7 @@ class Face_cells {
 
   Face_cells(const Face_cells&) = delete;
 
-  /// Returns the axis along which cells have a side above and a side below.
+  /// Returns the axis along which a side is above or below: that of the normal's largest magnitude.
   int axis() const { return axis_; }
 
   /// Returns the number of cells.
@@ -110,7 +111,7 @@ class Face_cells {
   struct Cell {
     Part below, above;
   };
-  struct Border {  // between two cells of one slab
+  struct Border {  // between two cells of one slab, here the one below the other within the plane
     const Line* line;
     std::size_t cell_below, cell_above;
   };

@@ -4,6 +4,7 @@
 #include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 
 #include <array>
@@ -21,13 +22,11 @@ class Integer_placing {
   Integer_placing(const std::array<const Pose*, 2>& poses, const std::array<int, 2>& bits) : bits_(bits)
   {
     std::array<mpz_class, 2> common = {1, 1};
-    std::array<std::array<Rational, 12>, 2> entries;
+    const std::array<std::array<Rational, 12>, 2> entries = {rows_of(*poses[0]), rows_of(*poses[1])};
     for (int body = 0; body < 2; ++body)
-      for (int k = 0; k < 12; ++k) {
-        entries[body][k] = poses[body]->exact(k);
-        const mpz_class& divisor = entries[body][k].get_den();
-        if (!mpz_divisible_p(common[body].get_mpz_t(), divisor.get_mpz_t())) common[body] = lcm(common[body], divisor);
-      }
+      for (const Rational& entry : entries[body])
+        if (const mpz_class& divisor = entry.get_den(); !mpz_divisible_p(common[body].get_mpz_t(), divisor.get_mpz_t()))
+          common[body] = lcm(common[body], divisor);
     scale = lcm(mpz_class(common[0] << bits_[0]), mpz_class(common[1] << bits_[1]));
     for (int body = 0; body < 2; ++body)
       for (int k = 0; k < 12; ++k) {
@@ -43,7 +42,7 @@ class Integer_placing {
     return image(std::array{integer(v[0], bits), integer(v[1], bits), integer(v[2], bits)}, map_[body]);
   }
 
-  mpz_class scale;  ///< a positive integer
+  mpz_class scale;  ///< the factor of all coordinates, a positive integer
 
  private:
   std::array<int, 2> bits_;

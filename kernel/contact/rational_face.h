@@ -7,24 +7,25 @@
 #include "tetracone/kernel/predicate/face_contact.h"
 
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace tetracone::kernel {
 
-using Rational_point = std::array<Rational, 3>;  ///< also a vector
+using Rational_point = std::array<Rational, 3>;  ///< a point or a vector
 
 /// Returns a vertex in rationals.
 inline Rational_point exact_point(const Vertex& v) { return {v[0], v[1], v[2]}; }
 
-inline bool is_zero(const Rational_point& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 /// Returns a + share (b - a).
 inline Rational_point between(const Rational_point& a, const Rational_point& b, const Rational& share)
 {
-  Rational_point p;
-  for (int k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
-  return p;
+  return sum(a, scaled(difference(b, a), share));
 }
+
+/// Returns the largest magnitude of a coordinate.
+inline Rational longest_part(const Rational_point& a) { return abs(a[std::size_t(largest_axis(a))]); }
 
 /// True when x is in the inside of the segment from p to q.
 inline bool is_inside_segment(const Rational_point& x, const Rational_point& p, const Rational_point& q)
@@ -52,6 +53,7 @@ class Rational_face {
     }
   }
 
+  /// Returns the directed edges, in the order of the constructor.
   const std::vector<Edge>& edges() const { return edges_; }
   /// Returns the first corner.
   const Rational_point& origin() const { return edges_[0].first; }
@@ -77,13 +79,7 @@ class Rational_face {
   }
 
   /// Returns the axis of the normal's largest magnitude: along it the face's projection is not flat.
-  int axis() const
-  {
-    int axis = 0;
-    for (int k = 1; k < 3; ++k)
-      if (abs(normal_[k]) > abs(normal_[axis])) axis = k;
-    return axis;
-  }
+  int axis() const { return largest_axis(normal_); }
 
   /// Returns the winding number of the loops about x, both as seen from the far end of axis k: signed crossings of a
   /// ray. Where x is seen on a loop, it counts as moved by an infinitesimal, the same for all faces. A face that is

@@ -1,9 +1,11 @@
 #ifndef TETRACONE_KERNEL_CONTACT_RATIONAL_MAP_H
 #define TETRACONE_KERNEL_CONTACT_RATIONAL_MAP_H
 
-#include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/number/vertex.h"
 
 #include <array>
 #include <cstddef>
@@ -14,9 +16,8 @@ namespace tetracone::kernel {
 class Rational_map {
  public:
   /// Requires det M != 0.
-  explicit Rational_map(const Pose& pose = Pose())
+  explicit Rational_map(const Pose& pose = Pose()) : m_(rows_of(pose))
   {
-    for (int k = 0; k < 12; ++k) m_[k] = pose.exact(k);
     const auto row = [this](int i) { return Rational_point{m_[4 * i], m_[4 * i + 1], m_[4 * i + 2]}; };
     determinant_ = dot(row(0), cross(row(1), row(2)));
     for (int i = 0; i < 3; ++i) {

@@ -26,7 +26,7 @@ struct Convex_piece {
   int count = 0;  ///< 3 or 4
 };
 
-/// True where no sum or product of `Shift_range` overflows.
+/// True where coordinates are at most 2^200, so that no sum or product of `Shift_range` overflows.
 inline bool is_bounded(const Convex_piece<Interval>& piece)
 {
   for (int k = 0; k < piece.count; ++k)
@@ -53,8 +53,14 @@ struct Rounded_piece : Convex_piece<double> {
 /// An axis along which two pieces are compared. It is a normal, or a product of an edge of each, or of an edge and the
 /// direction of the shift.
 struct Shift_axis {
-  enum class Kind { edge_of_a, edge_of_b, normal_of_a, normal_of_b, edges } kind;
-  int edge_a = 0, edge_b = 0;
+  enum class Kind {
+    edge_of_a,    ///< an edge of A and the direction of the shift
+    edge_of_b,    ///< an edge of B and that direction
+    normal_of_a,  ///< the normal of A's piece
+    normal_of_b,  ///< the normal of B's piece
+    edges         ///< an edge of each
+  } kind;
+  int edge_a = 0, edge_b = 0;  ///< numbers of edges: edge k leads from corner k to the next
 };
 
 namespace detail {

@@ -186,9 +186,11 @@ class Pair_motion {
 
   /// Returns entry k of the row-major 3x4 matrix that places body 0 or 1, times the divisor.
   const Integer_form& entry(int body, int k) const { return entry_[body][k]; }
+  /// Returns the divisor of all entries, the product of both weights.
   const Integer_form& divisor() const { return divisor_; }
 
-  /// Returns a factor of the volume of four points (see `Exact_motion`); empty unless both motions are rigid.
+  /// Returns the square of the divisor, without common factors of its coefficients. It is a factor of the volume of
+  /// four points (see `Exact_motion`). Empty unless both motions are rigid.
   const Integer_form& square() const { return square_; }
 
   /// Returns the least of `least` and the exponents of the coordinates. A coordinate has the exponent e if it is an odd

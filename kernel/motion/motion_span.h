@@ -18,11 +18,11 @@
 
 namespace tetracone::kernel {
 
-/// Returns an axis divided by the largest magnitude of its components, so that bounds accept its length.
+/// Returns an axis divided by the largest magnitude of its components, so that bounds accept its length. The axis 0
+/// becomes NaN, with which no bound separates anything.
 inline Vertex scaled_to_one(const Vertex& v)
 {
-  const double shrink = 1 / maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
-  return {v[0] * shrink, v[1] * shrink, v[2] * shrink};
+  return scaled(v, 1 / maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2])));
 }
 
 /// The part of a body's local units that the bounds need. A local point p is o + unit p in its own coordinates, where
@@ -48,6 +48,7 @@ struct Moving_box {
   Vertex centre;
   std::array<Vertex, 3> half_edge;
 
+  /// Returns `range_of_box` of this box.
   std::array<double, 2> range(const Vertex& l) const { return range_of_box(l, centre, half_edge); }
 };
 
@@ -71,6 +72,7 @@ struct Time_window {
 /// apart while it is positive.
 class Motion_span {
  public:
+  /// The largest number of coefficients of a form. Two rigid motions have 6.
   static constexpr std::size_t most_coefficients = 8;
 
   /// Upper bound of the error of a time in the span, as a fraction of it. A time is a quotient of at most 1, by a
@@ -85,7 +87,7 @@ class Motion_span {
     double weight = 1;
   };
 
-  /// The span that is all of the time.
+  /// The span that is all of the time. Requires forms of at most `most_coefficients`.
   Motion_span(const Pair_motion& motion, const Motion_units& a, const Motion_units& b) : size_(motion.size())
   {
     assert(size_ <= most_coefficients);
@@ -166,7 +168,7 @@ class Motion_span {
     return span;
   }
 
-  /// Returns the first or the second half.
+  /// Returns the first or the second half. Requires k() < 60, as `find_error` does.
   Motion_span half(bool second) const
   {
     Motion_span half = *this;
@@ -182,8 +184,10 @@ class Motion_span {
     return half;
   }
 
+  /// Return m and k: the span is from m / 2^k to (m+1) / 2^k.
   std::uint64_t m() const { return m_; }
   unsigned k() const { return k_; }
+  /// Return the times of its start and of its middle.
   double start() const { return std::ldexp(double(m_), -int(k_)); }
   double middle() const { return std::ldexp(double(2 * m_ + 1), -int(k_) - 1); }
 
@@ -215,7 +219,7 @@ class Motion_span {
     return near_by(axis, [&](std::size_t i) { return std::array{range(axis, a[i]), range(axis, b[i])}; });
   }
 
-  /// Returns the times at which two boxes may meet, as far as this axis tells.
+  /// Returns the times at which two boxes may meet, as far as this axis tells. The same axes tell nothing.
   Time_window near_along(const Vertex& axis, const Moving_box& a, const Moving_box& b) const
   {
     return near_by(axis, [&](std::size_t i) {
@@ -229,6 +233,7 @@ class Motion_span {
 
   /// Returns the maps of the span's i-th coefficient in Bernstein's basis, not divided by their weight.
   const Maps& coefficient(std::size_t i) const { return coefficient_[i]; }
+  /// Returns the number of coefficients.
   std::size_t size() const { return size_; }
 
   /// Returns an upper bound of the error of a difference of images under these maps, along an axis, relative to
@@ -282,8 +287,7 @@ class Motion_span {
   /// Returns the vector from a local point of A to one of B.
   static Vertex between(const Maps& maps, const Vertex& a, const Vertex& b)
   {
-    const Vertex from = direction(maps, 0, a), to = direction(maps, 1, b);
-    return {maps.offset[0] + (to[0] - from[0]), maps.offset[1] + (to[1] - from[1]), maps.offset[2] + (to[2] - from[2])};
+    return sum(maps.offset, difference(direction(maps, 1, b), direction(maps, 0, a)));
   }
 
   /// Returns the maps of what(the entries of `given`), with a weight of 1.

@@ -38,7 +38,8 @@ class Times_before {
     }
   }
 
-  /// Returns an `Integer_form` or a `Pair_motion` from the start to the end, over times from 0 to 1.
+  /// Returns a form or a motion, an `Integer_form` or a `Pair_motion`, over the times from the start to the end as over
+  /// 0 to 1.
   template <class Timed>
   Timed over(const Timed& timed) const
   {

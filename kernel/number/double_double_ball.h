@@ -16,7 +16,6 @@ namespace tetracone::kernel {
 /// A sum in double-double has a relative error of 3 u^2 / (1 - 4 u), a product one of 7 u^2. Where parts underflow, a
 /// few times 2^-1074 are added. Both errors are computed from the high part, whose relative error is u. Where a sum's
 /// error term underflows, the sum is exact. Magnitudes and radii lose at most 16 u of a radius as they are computed.
-/// The constants are proved in verify/proofs/distance_proofs.h and nearest_proofs.h.
 struct Double_double_ball {
   Double_double middle;
   double radius = 0;
@@ -26,13 +25,17 @@ struct Double_double_ball {
   Double_double_ball(const Double_double& x, double r) : middle(x), radius(r) {}
 
   static constexpr double u = unit_roundoff<double>;
-  static constexpr double sum_rounding = 4 * u * u, product_rounding = 8 * u * u, of_radii = 1 + 16 * u,
-                          underflow = 0x1p-1060;
-  /// Upper bound of the relative error of the high part, which includes the rounding of its product with 1 -
-  /// `high_rounding`: verify/proofs/nearest_proofs.h.
+  // All four are proved in verify/proofs/distance_proofs.h.
+  static constexpr double sum_rounding = 4 * u * u,  ///< upper bound of a sum's error, relative to its high part
+      product_rounding = 8 * u * u,                  ///< upper bound of a product's error, relative to its high part
+      of_radii = 1 + 16 * u,                         ///< factor that covers the rounding of a computed radius
+      underflow = 0x1p-1060;                         ///< upper bound of what underflow adds to a product's error
+  /// Upper bound of the relative error of the high part, and of its product with 1 - `high_rounding`
+  /// (verify/proofs/nearest_proofs.h).
   static constexpr double high_rounding = 4 * u;
 
-  /// Return the radius of a sum and of a product, by magnitudes and radii of both numbers and the result's magnitude.
+  /// Return the radius of a sum and of a product x y. They take the radii of both numbers and the result's magnitude;
+  /// the product also takes both magnitudes.
   template <class Number>
   static Number radius_of_sum(const Number& x_radius, const Number& y_radius, const Number& sum)
   {
@@ -68,7 +71,7 @@ struct Double_double_ball {
 };
 
 /// Returns the double nearest to top / sqrt(square), where the quotient surely lies between the midpoints to both
-/// neighbours. Returns nothing elsewhere, and outside 2^-900 to 2^900. Requires top > 0 and square > 0.
+/// neighbours. Returns nothing elsewhere, and outside 2^-900 to 2^900. Requires numbers top > 0 and square > 0.
 inline std::optional<double> nearest_over_root(const Double_double_ball& top, const Double_double_ball& square)
 {
   const Double_double_ball top_square = top * top;

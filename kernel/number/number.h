@@ -44,8 +44,9 @@ inline bool is_one_or_more(std::string_view text)
 
 }  // namespace detail
 
-/// Returns the double nearest to the decimal number that is the whole of `text`: "1e-400" is 0, denormals are kept.
-/// Returns nothing when `text` is not a decimal number, or its nearest double is not finite ("nan", "inf", "1e400").
+/// Returns the double nearest to the decimal number that is the whole of `text`: "1e-400" is 0, denormals are kept. One
+/// sign may stand before it. Returns nothing when `text` is not a decimal number, or its nearest double is not finite
+/// ("nan", "inf", "1e400").
 inline std::optional<double> parse_double(std::string_view text)
 {
   if (text.starts_with('+')) {
@@ -126,6 +127,7 @@ inline Rational times_power(const Rational& x, long exponent)
 }
 
 /// Returns a fraction of few digits that compares with every double (less, equal or greater) as top / bottom does.
+/// Requires bottom > 0. They may have a common factor.
 ///
 /// The fraction is scaled by a power of two so that its integer part has 128 or 129 bits. Doubles of its magnitude are
 /// then integers. One bit more tells whether the division left a remainder.
@@ -187,8 +189,8 @@ inline std::optional<Rational> parse_number(std::string_view text)
   return number && std::isfinite(nearest_double(*number)) ? number : std::nullopt;
 }
 
-/// Returns what `parse_number` returns of a text. Throws Error where that is nothing. Its line is `before`, the text in
-/// quotes, `after`, and what was expected.
+/// Returns the number that `parse_number` reads. Throws Error where it reads none. The error's line is `before`, up to
+/// 40 characters of the text in quotes, `after`, and what was expected.
 inline Rational required_number(const std::string& text, const std::string& before, const std::string& after = "")
 {
   if (const auto number = parse_number(text)) return *number;

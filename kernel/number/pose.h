@@ -68,6 +68,7 @@ class Pose {
     fractions_ = std::move(fractions);
   }
 
+  /// Returns the map p -> p + (x, y, z).
   static Pose translation(double x, double y, double z)
   {
     return Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
@@ -115,6 +116,7 @@ class Pose {
 
   /// Returns entry `k` of the row-major 3x4 matrix, rounded to the nearest double; exact unless `is_rational()`.
   double operator[](int k) const { return entries_[k]; }
+  /// Returns all twelve entries, rounded likewise.
   const std::array<double, 12>& entries() const { return entries_; }
 
   /// True when some entry is no double.
@@ -127,12 +129,13 @@ class Pose {
   /// Returns entry `k`, exactly.
   Rational exact(int k) const { return fractions_ ? fractions_->exact[k] : Rational(entries_[k]); }
 
-  /// Returns entry `k` times `weight`, a positive integer, exactly. It is a binary fraction, also where the entry is
-  /// none.
+  /// Returns entry `k` times `weight`, exactly. It is a binary fraction even where the entry is not one.
   CGAL::Mpzf whole(int k) const { return fractions_ ? fractions_->whole[k] : CGAL::Mpzf(entries_[k]); }
+  /// Returns the least common denominator of the entries; 1 where all are doubles.
   CGAL::Mpzf weight() const { return fractions_ ? fractions_->weight : CGAL::Mpzf(1); }
 
-  /// Return the integers of `whole` and `weight`; their `bits` tell where they are too wide. Requires `is_rational()`.
+  /// Return `whole` of all entries, and `weight`, as integers of a fixed width. Their `bits` tell where they are too
+  /// wide. Require `is_rational()`.
   const Fixed_map& fixed_map() const { return fractions_->fixed; }
   const Binary_number<1>& binary_weight() const { return fractions_->binary_weight; }
 
@@ -224,6 +227,14 @@ class Pose {
   bool is_translation_ = true;
   std::shared_ptr<const Fractions> fractions_;  // null where every entry is a double
 };
+
+/// Returns a pose as a row-major 3x4 matrix.
+inline std::array<Rational, 12> rows_of(const Pose& pose)
+{
+  std::array<Rational, 12> rows;
+  for (int k = 0; k < 12; ++k) rows[k] = pose.exact(k);
+  return rows;
+}
 
 }  // namespace tetracone::kernel
 

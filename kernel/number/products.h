@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 /// The expressions of three coordinates that stages, bounds and proofs use alike. The number type is any: doubles,
 /// floats, double-double, and the numbers of verify/proofs/, which record the computation. An error bound holds for the
@@ -16,6 +17,41 @@ std::array<Number, 3> difference(const std::array<Number, 3>& a, const std::arra
 }
 
 template <class Number>
+std::array<Number, 3> sum(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+{
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+template <class Number>
+std::array<Number, 3> scaled(const std::array<Number, 3>& a, const Number& by)
+{
+  return {a[0] * by, a[1] * by, a[2] * by};
+}
+
+template <class Number>
+std::array<Number, 3> negated(const std::array<Number, 3>& a)
+{
+  return {-a[0], -a[1], -a[2]};
+}
+
+template <class Number>
+bool is_zero(const std::array<Number, 3>& a)
+{
+  return a[0] == 0 && a[1] == 0 && a[2] == 0;
+}
+
+/// Returns the axis of the coordinate of largest magnitude, the first of equals.
+template <class Number>
+int largest_axis(const std::array<Number, 3>& a)
+{
+  using std::abs;
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (abs(a[k]) > abs(a[axis])) axis = k;
+  return axis;
+}
+
+template <class Number>
 Number dot(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -25,6 +61,13 @@ template <class Number>
 std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
 {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Returns the normal (b - a) x (c - a) of a triangle a b c. Its length is twice the area.
+template <class Number>
+std::array<Number, 3> normal_of(const std::array<std::array<Number, 3>, 3>& triangle)
+{
+  return cross(difference(triangle[1], triangle[0]), difference(triangle[2], triangle[0]));
 }
 
 /// Returns det[b, c, d].
@@ -56,6 +99,15 @@ std::array<Number, 4> placed_terms(const Number& m0, const Number& m1, const Num
                                    const std::array<Number, 3>& p)
 {
   return {m0 * p[0], m1 * p[1], m2 * p[2], t};
+}
+
+/// Returns the image of a point under an affine map, a row-major 3x4 matrix. It is computed in the numbers of the map.
+template <class Number, class Coordinate>
+std::array<Number, 3> image(const std::array<Coordinate, 3>& point, const std::array<Number, 12>& m)
+{
+  const std::array<Number, 3> p = {Number(point[0]), Number(point[1]), Number(point[2])};
+  const auto row = [&](std::size_t i) { return Number(m[i] * p[0] + m[i + 1] * p[1] + m[i + 2] * p[2] + m[i + 3]); };
+  return {row(0), row(4), row(8)};
 }
 
 /// Return the sum of terms, from the left, and the sum of their magnitudes.

@@ -18,7 +18,7 @@ namespace tetracone::kernel {
 
 using Ball_vector = std::array<Double_double_ball, 3>;
 
-/// One to three corners that span a feature.
+/// The enclosed corners, one to three, that span a feature of a triangle.
 struct Ball_hull {
   std::array<Ball_vector, 3> corner;
   int count = 0;
@@ -35,12 +35,13 @@ struct Ball_hull {
 /// The distance height / sqrt(square), along a direction from A's feature to B's of |direction|^2 = square.
 struct Enclosed_distance {
   Double_double_ball height, square;
-  std::array<double, 3> direction;  ///< rounded: the errors of all coordinates sum to at most `direction_error`
+  std::array<double, 3> direction;  ///< rounded: the errors of all coordinates sum to at most `direction_error` of it
   Ball_vector way;                  ///< the direction, enclosed
 
-  // Upper bounds relative to the sum of the direction's magnitudes: verify/proofs/nearest_proofs.h.
-  static constexpr double most_radii = 0x1p-52,  ///< of the radii of an accepted direction
+  // Upper bounds relative to the sum of the direction's magnitudes.
+  static constexpr double most_radii = 0x1p-52,  ///< of the sum of the radii of an accepted direction, which is tested
       direction_error = 0x1p-51;  ///< of all errors of a direction: these radii, and a rounding of each coordinate
+                                  ///< (verify/proofs/nearest_proofs.h)
 };
 
 namespace detail {
@@ -52,7 +53,7 @@ inline std::optional<Ball_vector> way_to_edge(const Ball_vector& x, const Ball_v
   const Ball_vector e = difference(b, a), r = difference(x, a);
   const Double_double_ball length = dot(e, e), at = dot(r, e);
   if (!at.is_positive() || !(length - at).is_positive()) return std::nullopt;
-  return Ball_vector{e[0] * at - r[0] * length, e[1] * at - r[1] * length, e[2] * at - r[2] * length};
+  return difference(scaled(e, at), scaled(r, length));
 }
 
 /// Returns the cross product of two edges; nothing unless the nearest points of their lines are surely within both.
@@ -70,7 +71,7 @@ inline std::optional<Ball_vector> way_across_edges(const Ball_vector& a, const B
 /// Returns the normal of a triangle; nothing unless the point is surely over its interior.
 inline std::optional<Ball_vector> way_to_triangle(const Ball_vector& x, const std::array<Ball_vector, 3>& t)
 {
-  const Ball_vector normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
+  const Ball_vector normal = normal_of(t);
   for (std::size_t k = 0; k < 3; ++k)
     if (!dot(normal, cross(difference(t[k], x), difference(t[(k + 1) % 3], x))).is_positive()) return std::nullopt;
   return normal;
@@ -89,7 +90,7 @@ inline std::optional<Ball_vector> way_between(const Ball_hull& a, const Ball_hul
 
 }  // namespace detail
 
-/// Returns the distance of two hulls, as `distance_of_hulls` takes them. Returns nothing unless the enclosures show
+/// Returns the distance of two hulls that `distance_of_hulls` would take. Returns nothing unless the enclosures show
 /// that the nearest points of the affine hulls are apart and within both hulls. The direction must be known up to
 /// `most_radii`.
 inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, const Ball_hull& b)
@@ -100,7 +101,7 @@ inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, co
   found.height = dot(*way, difference(b.corner[0], a.corner[0]));
   if (!found.height.is_positive()) {
     found.height = -found.height;
-    for (Double_double_ball& x : *way) x = -x;
+    way = negated(*way);
   }
   if (!found.height.is_positive()) return std::nullopt;
   found.square = dot(*way, *way);

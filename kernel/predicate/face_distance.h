@@ -33,30 +33,27 @@ struct Exact_distance {
   Exact_number low, high;
   Exact_point on_a, on_b;
 
+  /// Return the numerator and the divisor of the squared distance. The divisor is 1 where the direction is 0.
   Exact_number top() const { return (high - low) * (high - low); }
   Exact_number bottom() const
   {
     const Exact_number square = dot(direction, direction);
     return square.sign() == CGAL::ZERO ? Exact_number(1) : square;
   }
+  /// True when the sets meet.
   bool is_zero() const { return low == high; }
 
+  /// Compares the distances.
   friend bool operator<(const Exact_distance& x, const Exact_distance& y)
   {
     return x.top() * y.bottom() < y.top() * x.bottom();
   }
 
   /// Returns the distance as seen from B.
-  Exact_distance reversed() const { return {{-direction[0], -direction[1], -direction[2]}, -high, -low, on_b, on_a}; }
+  Exact_distance reversed() const { return {negated(direction), -high, -low, on_b, on_a}; }
 };
 
 namespace detail {
-
-inline Exact_vector scaled(const Exact_vector& v, const Exact_number& by) { return {v[0] * by, v[1] * by, v[2] * by}; }
-inline Exact_vector sum(const Exact_vector& v, const Exact_vector& w)
-{
-  return {v[0] + w[0], v[1] + w[1], v[2] + w[2]};
-}
 
 /// Returns the distance along a direction, from a point of A to one of B. It turns the direction so that B is beyond A.
 inline Exact_distance along(Exact_vector direction, const Exact_vector& a, const Exact_vector& b, Exact_point on_a,
@@ -64,7 +61,7 @@ inline Exact_distance along(Exact_vector direction, const Exact_vector& a, const
 {
   Exact_number low = dot(direction, a), high = dot(direction, b);
   if (high < low) {
-    direction = {-direction[0], -direction[1], -direction[2]};
+    direction = negated(direction);
     low = -low;
     high = -high;
   }
@@ -91,9 +88,9 @@ inline std::optional<Exact_distance> distance_to_edge(const Exact_vector& x, con
   const Exact_vector e = difference(b, a), r = difference(x, a);
   const Exact_number length = dot(e, e), at = dot(r, e), left = length - at;
   if (length.sign() == CGAL::ZERO || at.sign() == CGAL::NEGATIVE || left.sign() == CGAL::NEGATIVE) return {};
-  const Exact_vector direction = difference(detail::scaled(e, at), detail::scaled(r, length));
+  const Exact_vector direction = difference(scaled(e, at), scaled(r, length));
   if (points == Nearest_points::are_not_asked_for) return detail::along(direction, x, a, {}, {});
-  return detail::along(direction, x, a, {x}, {detail::sum(detail::scaled(a, left), detail::scaled(b, at)), length});
+  return detail::along(direction, x, a, {x}, {sum(scaled(a, left), scaled(b, at)), length});
 }
 
 /// Returns the distance of two segments where the nearest points of their lines are on them; nothing elsewhere, and for
@@ -110,8 +107,8 @@ inline std::optional<Exact_distance> distance_of_edges(const Exact_vector& a, co
   for (const Exact_number* share : {&s, &t, &s_left, &t_left})
     if (share->sign() == CGAL::NEGATIVE) return {};
   if (points == Nearest_points::are_not_asked_for) return detail::along(cross(e, f), a, c, {}, {});
-  return detail::along(cross(e, f), a, c, {detail::sum(detail::scaled(a, s_left), detail::scaled(b, s)), weight},
-                       {detail::sum(detail::scaled(c, t_left), detail::scaled(d, t)), weight});
+  return detail::along(cross(e, f), a, c, {sum(scaled(a, s_left), scaled(b, s)), weight},
+                       {sum(scaled(c, t_left), scaled(d, t)), weight});
 }
 
 /// Returns the distance of a point and the plane through three, wherever the nearest point is. Returns nothing where
@@ -119,13 +116,12 @@ inline std::optional<Exact_distance> distance_of_edges(const Exact_vector& a, co
 inline std::optional<Exact_distance> distance_to_plane(const Exact_vector& x, const std::array<Exact_vector, 3>& plane,
                                                        Nearest_points points = Nearest_points::are_asked_for)
 {
-  const Exact_vector normal = cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
+  const Exact_vector normal = normal_of(plane);
   const Exact_number weight = dot(normal, normal);
   if (weight.sign() == CGAL::ZERO) return {};
   if (points == Nearest_points::are_not_asked_for) return detail::along(normal, x, plane[0], {}, {});
   const Exact_number height = dot(normal, difference(x, plane[0]));
-  return detail::along(normal, x, plane[0], {x},
-                       {difference(detail::scaled(x, weight), detail::scaled(normal, height)), weight});
+  return detail::along(normal, x, plane[0], {x}, {difference(scaled(x, weight), scaled(normal, height)), weight});
 }
 
 /// Returns the distance of a point and a triangle where the nearest point of its plane is on it. Returns nothing
@@ -133,7 +129,7 @@ inline std::optional<Exact_distance> distance_to_plane(const Exact_vector& x, co
 inline std::optional<Exact_distance> distance_to_triangle(const Exact_vector& x, const std::array<Exact_vector, 3>& t,
                                                           Nearest_points points = Nearest_points::are_asked_for)
 {
-  const Exact_vector normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
+  const Exact_vector normal = normal_of(t);
   for (int k = 0; k < 3; ++k) {
     const Exact_vector a = difference(t[k], x), b = difference(t[(k + 1) % 3], x);
     if (dot(normal, cross(a, b)).sign() == CGAL::NEGATIVE) return {};
@@ -168,18 +164,13 @@ inline int winding_about_line(const Exact_face& face, const Exact_vector& x, con
   return winding;
 }
 
-inline Exact_vector normal_of(const std::array<Exact_vector, 3>& plane)
-{
-  return cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
-}
-
 inline void keep_nearer(std::optional<Exact_distance>& best, std::optional<Exact_distance> found)
 {
   if (found && (!best || *found < *best)) best = std::move(found);
 }
 
-/// Keeps the least distance of the corners and edges of `a` from the interior of `b`. `turn`: the distance is kept as
-/// seen from `b`.
+/// Keeps the least distance of the corners and edges of `a` from the interior of `b`. With `turn`, it is kept as seen
+/// from `b`.
 inline void keep_nearer_inside(std::optional<Exact_distance>& best, const Exact_face& a, const Exact_face& b, bool turn)
 {
   if (!b.plane) return;

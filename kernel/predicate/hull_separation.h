@@ -24,20 +24,21 @@ namespace tetracone::kernel {
 using Rounded_vector = std::array<double, 3>;
 
 /// Upper bound of the error of a rounded coordinate of an image, relative to the sum of its terms' absolute values. An
-/// entry and its product are rounded once, and the first product by three sums: 5 of 2^-53, and as much for the sum.
-/// verify/test/kernel/predicate/hull_separation.cpp compares both bounds with exact images.
+/// entry is off by less than 2^-52 of itself. Its product has one rounding and the sums have three: 6 of 8 times 2^-53
+/// in all. verify/test/kernel/predicate/hull_separation.cpp compares both bounds with exact images.
 inline constexpr double image_rounding = 0x1p-50;
-/// Upper bound of what underflow adds for corners of coordinates up to 1. Three entries and three products, and one
-/// more entry, are off by 2^-1075 each; larger coordinates multiply the entries' part.
+/// Upper bound of what underflow adds to the error, for corners of coordinates up to 1. Four entries and three products
+/// are off by at most 2^-1075 each; larger coordinates multiply the entries' part.
 inline constexpr double image_underflow = 0x1p-1072;
 
-/// Exact points, and doubles near them. All doubles are multiplied by one common factor, so that they are finite.
+/// Exact points, and doubles near their products with one common factor, which keeps the doubles finite.
 ///
 /// The points are given, or are the images of points under an affine map. Images are multiplied out when they are asked
-/// for: a search in doubles needs few of them exactly.
+/// for: a search in doubles needs few of them exactly. One object serves one thread.
 class Hull_points {
  public:
   Hull_points() = default;
+  /// These points.
   explicit Hull_points(std::initializer_list<Exact_vector> points) : size_(points.size()), made_(points) {}
   /// The images of `corners`, which must outlive this object, under a row-major 3x4 matrix.
   Hull_points(std::span<const Rounded_vector> corners, const std::array<Exact_number, 12>& map)
@@ -51,26 +52,23 @@ class Hull_points {
   {
     if (!map_) return made_[v];
     if (place_[v] == 0) {
-      const Exact_number x(corners_[v][0]), y(corners_[v][1]), z(corners_[v][2]);
-      const auto row = [&](std::size_t i) -> Exact_number {
-        const auto& m = *map_;
-        return m[i] * x + m[i + 1] * y + m[i + 2] * z + m[i + 3];
-      };
-      made_.push_back({row(0), row(4), row(8)});
+      made_.push_back(image(corners_[v], *map_));
       place_[v] = std::uint32_t(made_.size());
     }
     return made_[place_[v] - 1];
   }
 
-  /// Returns point v in doubles. Each coordinate is its nearest double for points that were given; it is off by at most
-  /// `error` for images. Requires rounded points.
+  /// Returns point v times `factor`, in doubles. A coordinate is off by at most `error`, or by 2^-52 of itself if that
+  /// is more. Requires rounded points.
   const Rounded_vector& rounded(std::size_t v) const { return rounded_[v]; }
+  /// Returns an upper bound of the error of images that were multiplied out in doubles; else 0.
   double error() const { return error_; }
   /// Returns the largest absolute value of a rounded coordinate.
   double largest() const { return largest_; }
+  /// Returns the factor by which the points were multiplied and rounded last; nothing before.
   const std::optional<Exact_number>& factor() const { return factor_; }
 
-  /// Rounds all points, multiplied by a factor, unless they are.
+  /// Rounds all points, multiplied by a factor, unless that was done last.
   void round(const Exact_number& by)
   {
     if (factor_ && *factor_ == by) return;
@@ -98,7 +96,7 @@ class Hull_points {
         rounded_[v][k] = a + b + c + row[3];
         most = maximum(most, std::abs(a) + std::abs(b) + std::abs(c) + std::abs(row[3]));
       }
-      farthest = maximum(farthest, maximum(std::abs(x), std::abs(y), std::abs(z)));
+      farthest = maximum(farthest, std::abs(x), std::abs(y), std::abs(z));
     }
     if (!(most < HUGE_VAL)) return false;
     error_ = image_rounding * most + image_underflow * farthest;
@@ -115,8 +113,8 @@ class Hull_points {
   double error_ = 0, largest_ = 0;
 };
 
-/// Rounds the points of two hulls, multiplied by one power of 2 for which products of a few coordinates are finite.
-/// Returns that power.
+/// Rounds two sets of points, multiplied by one power of 2 for which products of a few coordinates are finite. Returns
+/// that power. It is b's own where that serves, so that few points are rounded anew.
 inline Exact_number round_together(Hull_points& a, Hull_points& b)
 {
   Exact_number factor = b.factor().value_or(Exact_number(1));
@@ -145,11 +143,12 @@ struct Hull_pair {
   Hull a, b;
 };
 
-/// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Returns
-/// nothing where no such direction exists, or 40 steps find none. Requires a pair, rounded points, in whose units
-/// `distance` is, and the same recession for all A. The recession does not lead towards B along the direction. Source:
-/// E. G. Gilbert, An iterative procedure for computing the minimum of a quadratic form on a convex set, SIAM J. Control
-/// 4 (1966).
+/// Returns a direction along which each B is beyond its A by more than `distance`, as far as doubles tell. Its product
+/// with A's recession is not positive, up to rounding. Returns nothing where the search finds none: no such direction
+/// exists, or steps get too small, or 40 steps do not suffice.
+///
+/// Requires a pair, rounded points, in whose units `distance` is, and one recession for all A. Source: E. G. Gilbert,
+/// An iterative procedure for computing the minimum of a quadratic form on a convex set, SIAM J. Control 4 (1966).
 inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair> pairs, double distance)
 {
   const auto middle = [](const Hull& hull) {
@@ -198,31 +197,29 @@ inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair
 /// Returns a multiple of the direction, which is not 0, rounded to integers. The largest has the magnitude 2^bits.
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
 {
-  const double largest = maximum(maximum(std::abs(direction[0]), std::abs(direction[1])), std::abs(direction[2]));
+  const double largest = maximum(std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]));
   Exact_vector whole;
   for (int k = 0; k < 3; ++k) whole[k] = Exact_number(std::rint(std::ldexp(direction[k] / largest, bits)));
   return whole;
 }
 
-/// Same, for a direction whose product with `recession` is not positive; the result's exact product is not positive
-/// either. The integers are its components along two directions across the recession, and against it.
+/// Returns a vector near a multiple of the direction, whose product with `recession` is not positive. Nor is the
+/// vector's, exactly. Integers of these bits are its components along two directions across the recession, and against
+/// it.
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, Exact_vector recession)
 {
   // Powers of 2 make the axes about as long as 1.
   const auto unit = [](const Exact_vector& axis) {
     double largest = 0;
     for (const Exact_number& x : axis) largest = maximum(largest, std::abs(x.to_double()));
-    return detail::scaled(axis, Exact_number(std::ldexp(1.0, -std::ilogb(largest))));
+    return scaled(axis, Exact_number(std::ldexp(1.0, -std::ilogb(largest))));
   };
   recession = unit(recession);
-  int k = 0;
-  for (int i = 1; i < 3; ++i)
-    if (abs(recession[i]) > abs(recession[k])) k = i;
+  const int k = largest_axis(recession);
   Exact_vector across = {0, 0, 0};
   across[k] = -recession[(k + 1) % 3];
   across[(k + 1) % 3] = recession[k];
-  const std::array<Exact_vector, 3> basis = {unit(across), unit(cross(recession, across)),
-                                             detail::scaled(recession, Exact_number(-1))};
+  const std::array<Exact_vector, 3> basis = {unit(across), unit(cross(recession, across)), negated(recession)};
   Rounded_vector parts;
   for (int i = 0; i < 3; ++i) {
     Rounded_vector axis;
@@ -232,11 +229,11 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, E
   parts[2] = maximum(parts[2], 0.0);
   const Exact_vector whole = rounded_to_bits(parts, bits);
   Exact_vector sum = {0, 0, 0};
-  for (int i = 0; i < 3; ++i) sum = detail::sum(sum, detail::scaled(basis[i], whole[i]));
+  for (int i = 0; i < 3; ++i) sum = kernel::sum(sum, scaled(basis[i], whole[i]));
   return sum;
 }
 
-/// Returns the least (sign < 0) or largest product of m with the corners, exactly.
+/// Returns the least (sign < 0) or largest product of m with the corners, exactly. It leaves out the recession.
 inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
 {
   std::optional<Exact_number> best;
@@ -249,19 +246,20 @@ inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
 
 /// A requirement for two hulls: they are apart by more than the root of top / bottom, or by just that if `or_equal`.
 ///
-/// With `sweep`, A has been moved by its centre, and is moved by all vectors of the box about that. Those that are no
-/// shorter than the root need not part the hulls.
+/// With `sweep`, A has been moved by the centre of a box of translations. The rule then asks that the hulls are apart
+/// for all translations of the box that are shorter than the root.
 struct Gap_rule {
   struct Sweep {
     Exact_vector centre, half;
   };
 
-  Exact_number top = 0, bottom = 1;
+  Exact_number top = 0, bottom = 1;  ///< of the squared distance, in the exact points' units
   bool or_equal = false;
   double rounded = 0;  ///< near the distance that is asked for, in rounded units
   std::optional<Sweep> sweep = {};
 
-  /// True when B is beyond A along m by the required distance.
+  /// True when m proves that the hulls keep the rule: B is beyond A along m by the required distance, or for all
+  /// translations of the box.
   bool operator()(const Hull& a, const Hull& b, const Exact_vector& m) const
   {
     Exact_number gap = extent(b, m, -1) - extent(a, m, 1);
@@ -280,7 +278,7 @@ struct Gap_rule {
   }
 };
 
-/// Returns the face of one loop through the corners. With `has_plane`, the first three corners span its plane.
+/// Returns the face of one loop through the hull's corners. With `has_plane`, the first three corners span its plane.
 inline Exact_face exact_face(const Hull& hull, bool has_plane)
 {
   Exact_face face;
@@ -298,14 +296,14 @@ inline std::optional<Exact_vector> direction_of_first_touch(const Exact_face& fa
   const Exact_vector way = difference(end, start);
   std::vector<Exact_vector> candidates = {way};
   const auto add = [&](Exact_vector m) {
-    if (dot(m, way).sign() == CGAL::NEGATIVE) m = {-m[0], -m[1], -m[2]};
+    if (dot(m, way).sign() == CGAL::NEGATIVE) m = negated(m);
     candidates.push_back(std::move(m));
   };
-  if (face.plane) add(detail::normal_of(*face.plane));
+  if (face.plane) add(normal_of(*face.plane));
   for (const auto& [p, q] : face.edges) {
     const Exact_vector along = difference(q, p);
-    add(difference(detail::scaled(way, dot(along, along)), detail::scaled(along, dot(along, way))));
-    if (face.plane) add(cross(detail::normal_of(*face.plane), along));
+    add(difference(scaled(way, dot(along, along)), scaled(along, dot(along, way))));
+    if (face.plane) add(cross(normal_of(*face.plane), along));
   }
   for (const Exact_vector& m : candidates) {
     const Exact_number first = dot(m, start), last = dot(m, end);
@@ -319,21 +317,18 @@ inline std::optional<Exact_vector> direction_of_first_touch(const Exact_face& fa
 }
 
 /// Returns the winding number of a face's loops about a ray, as seen along it. Returns nothing where the ray meets an
-/// edge, or not the face's plane beyond its origin. `ray` is the ray as a face, cut beyond the body.
+/// edge, or not the face's plane beyond its origin. `ray` is the ray as a face: a segment that ends beyond the body.
 inline std::optional<int> generic_crossing(const Exact_face& face, const Exact_vector& origin,
                                            const Exact_vector& direction, const Exact_face& ray)
 {
   if (!face.plane) return std::nullopt;
-  const Exact_vector normal = detail::normal_of(*face.plane);
+  const Exact_vector normal = normal_of(*face.plane);
   const CGAL::Sign side = dot(normal, direction).sign();
   const CGAL::Sign height = dot(normal, difference((*face.plane)[0], origin)).sign();
   if (side == CGAL::ZERO || height != side) return std::nullopt;
   for (const auto& [p, q] : face.edges)
     if (distance_of_faces(ray, Exact_face{{{p, q}, {q, p}}, std::nullopt}).is_zero()) return std::nullopt;
-  const Exact_vector up =
-      side == CGAL::POSITIVE
-          ? direction
-          : Exact_vector{Exact_number(-direction[0]), Exact_number(-direction[1]), Exact_number(-direction[2])};
+  const Exact_vector up = side == CGAL::POSITIVE ? direction : negated(direction);
   const int winding = detail::winding_about_line(face, origin, up);
   return side == CGAL::POSITIVE ? winding : -winding;
 }

@@ -14,13 +14,14 @@ namespace tetracone::kernel {
 
 /// Returns the numbers of three corners that are not collinear, which is decided exactly; nothing when all are on one
 /// line. The triangle is a large one where double can tell, so that kernels that round keep its plane. It has the
-/// corner farthest from the first, and the corner that spans the largest area with both.
+/// corner farthest from the first, and the corner that spans the largest area with both. `vertex_of(k)` returns corner
+/// k. Requires a corner.
 template <class Vertex_of>
 std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, const Vertex_of& vertex_of)
 {
-  const auto difference = [&](std::size_t i, std::size_t j) {
+  const auto way = [&](std::size_t i, std::size_t j) {
     const Vertex &a = vertex_of(i), &b = vertex_of(j);
-    return std::array<double, 3>{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    return difference(b, a);
   };
   const auto length = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
   const auto spans = [&](std::size_t i, std::size_t j, std::size_t k) {
@@ -33,14 +34,14 @@ std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, 
   std::size_t farthest = 0, widest = 0;
   double distance = 0, area = 0;
   for (std::size_t k = 1; k < corner_count; ++k) {
-    if (const double d = length(difference(0, k)); d > distance) {
+    if (const double d = length(way(0, k)); d > distance) {
       distance = d;
       farthest = k;
     }
   }
-  const auto base = difference(0, farthest);
+  const auto base = way(0, farthest);
   for (std::size_t k = 1; k < corner_count; ++k) {
-    if (const double a = length(cross(base, difference(0, k))); a > area) {
+    if (const double a = length(cross(base, way(0, k))); a > area) {
       area = a;
       widest = k;
     }

@@ -23,7 +23,6 @@ struct Rational_ray {
 
 namespace detail {
 
-inline bool is_zero(const Rational_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 inline Rational_vector coordinates(const Point<Rational_kernel>& p) { return {p.x(), p.y(), p.z()}; }
 
 /// Returns the least t >= 0 at which the ray meets the closed segment ab, which may be a point; nothing elsewhere.
@@ -152,14 +151,12 @@ std::optional<Rational> ray_face(const Rational_ray& ray, const Face& face)
   if (!face.is_degenerate()) {
     const Rational_vector a = coordinates(face.plane_basis(0));
     const Rational_vector normal =
-        cross(difference(coordinates(face.plane_basis(1)), a), difference(coordinates(face.plane_basis(2)), a));
+        normal_of(std::array{a, coordinates(face.plane_basis(1)), coordinates(face.plane_basis(2))});
     const Rational ascent = dot(normal, ray.direction), height = dot(normal, difference(a, ray.origin));
     if (ascent != 0) {
       const Rational t = height / ascent;
       if (t < 0) return std::nullopt;
-      Rational_vector at;
-      for (int k = 0; k < 3; ++k) at[k] = ray.origin[k] + t * ray.direction[k];
-      return is_on_face(at) ? std::optional(t) : std::nullopt;
+      return is_on_face(sum(ray.origin, scaled(ray.direction, t))) ? std::optional(t) : std::nullopt;
     }
     if (height != 0) return std::nullopt;
     if (is_on_face(ray.origin)) return Rational(0);

@@ -22,9 +22,10 @@ namespace tetracone::kernel {
 /// a power of two to components of at most 2, one of at least 1; below, t belongs to the scaled d.
 class Ray_triangle {
  public:
+  /// Whether the ray meets a triangle; `yes` only in its inside.
   enum class Meets { no, yes, uncertain };
 
-  /// `low` and `high` enclose the scaled t where the ray meets the triangle's inside.
+  /// A decision about a triangle. `low` and `high` enclose the scaled t where the ray meets the triangle's inside.
   struct Decision {
     Meets meets = Meets::uncertain;
     double low = 0, high = 0;
@@ -45,7 +46,7 @@ class Ray_triangle {
     }
   }
 
-  /// Return the scaled direction, and the power of two that was taken from it.
+  /// Return the scaled direction, and the exponent of the power of two by which d was divided.
   const Vertex& direction() const { return direction_; }
   int exponent() const { return exponent_; }
 
@@ -95,8 +96,7 @@ class Ray_triangle {
   // Upper bounds of errors in double-double, proved in verify/proofs/ray_proofs.h.
   static constexpr double height_rounding = 0x1p-97,  ///< of N, relative to S^2 M: six products of at most S^2 M
       slope_rounding = 0x1p-96,                       ///< of D, relative to S^2: six products of at most 2 S^2
-      quotient_rounding =
-          0x1p-98;  ///< of the quotient: some roundings of its remainder, and its correction's in double
+      quotient_rounding = 0x1p-98;  ///< of the quotient, relative to it: its remainder, and its correction in double
 
   /// Returns the double nearest to the t of the ray as it was given, where double-double decides it. Requires a ray
   /// that meets the triangle's plane in one point. Differences of doubles are exact here.

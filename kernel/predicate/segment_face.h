@@ -202,6 +202,7 @@ Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face, Sig
   return end_of_segment ? Contact::vertex_face : Contact::edge_face;
 }
 
+/// Decides the sides itself.
 template <class K, Covered_face<K> Face>
 Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face)
 {
@@ -233,6 +234,7 @@ Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a
   return zeros == 0 ? Contact::edge_face : zeros == 1 ? Contact::edge_edge : Contact::vertex_edge;
 }
 
+/// Decides the sides itself.
 template <class K>
 Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b, const Point<K>& c)
 {

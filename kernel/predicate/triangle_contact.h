@@ -26,8 +26,8 @@ struct Triangle_contact {
   struct Corner {
     Edge_set on_p = 0, on_q = 0;
   };
-  std::uint8_t count = 0;  ///< of corners: 0 apart, 1 a point, 2 a segment, from 3 a polygon
-  std::array<Corner, 6> corners{};
+  std::uint8_t count = 0;           ///< of corners: 0 apart, 1 a point, 2 a segment, from 3 a polygon
+  std::array<Corner, 6> corners{};  ///< in order along the border
 
   void add(Corner corner) { corners[count++] = corner; }
 };
@@ -169,7 +169,7 @@ class Coplanar_contact {
 }  // namespace detail
 
 /// Returns the set that two closed triangles share, by signs alone. It is exact when K's signs of these points are.
-/// Requires that neither is degenerate. `sides_of(triangle, points)` returns what `sides<K>(triangle, points)` does.
+/// Requires that neither is degenerate. `sides_of(triangle, points)` returns the same as `sides<K>(triangle, points)`.
 template <class K, class Sides_of>
 Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q, const Sides_of& sides_of)
 {
@@ -184,6 +184,7 @@ Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q, cons
   return detail::crossing_contact<K>(p, q, side_p, side_q);
 }
 
+/// Decides the sides by `sides<K>`.
 template <class K>
 Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q)
 {

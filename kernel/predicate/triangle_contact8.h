@@ -18,8 +18,9 @@ namespace tetracone::kernel {
 struct alignas(64) Triangles8 {
   static constexpr std::size_t count = 8;
 
-  double corner[3][3][count] = {};  ///< of corner c its coordinate k, in lanes
+  double corner[3][3][count] = {};  ///< coordinate k of corner c, in lanes: corner[c][k]
 
+  /// Sets the triangle of a lane.
   void set(std::size_t lane, const Vertex& a, const Vertex& b, const Vertex& c)
   {
     for (int k = 0; k < 3; ++k) {
@@ -56,8 +57,8 @@ struct Triangle_contacts8 {
 
 namespace tetracone::kernel {
 
-/// Decides triangle k of p under `pose_p` and triangle k of q under `pose_q`, for every lane k. Exact where it decides.
-/// Requires sound floating point.
+/// Writes to `found` how triangle k of p under `pose_p` meets triangle k of q under `pose_q`, for every lane k. It is
+/// exact where it decides. Requires sound floating point.
 inline void triangle_contacts8(const Triangles8& p, const Pose& pose_p, const Triangles8& q, const Pose& pose_q,
                                Triangle_contacts8& found)
 {

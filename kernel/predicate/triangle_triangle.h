@@ -26,10 +26,11 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
   return side;
 }
 
-/// Signs of three points. A sign that is not decided is arbitrary.
+/// The sides of three points against a plane. A side that is not decided is arbitrary.
 struct Some_sides {
   std::array<Sign, 3> side;
   std::array<bool, 3> is_decided;
+  /// Returns the number of decided sides.
   int decided() const { return is_decided[0] + is_decided[1] + is_decided[2]; }
 };
 
@@ -122,8 +123,9 @@ bool is_parted_by_edge(const Corners<K>& p, Sign turn, const Corners<K>& q, int 
   return false;
 }
 
-/// True when two triangles of one plane share a point. Nothing where the projection along one axis does not keep the
-/// area of both, as where one is degenerate. Convex polygons are apart exactly where an edge of one parts them.
+/// True when two triangles of one plane share a point. Returns nothing where the projection along one axis does not
+/// keep the area of both, as where one is degenerate. Convex polygons are apart exactly where an edge of one parts
+/// them.
 template <class K>
 std::optional<bool> coplanar_triangles_meet(const Corners<K>& p, const Corners<K>& q)
 {
@@ -145,7 +147,7 @@ std::optional<bool> coplanar_triangles_meet(const Corners<K>& p, const Corners<K
 /// q2 at the other. Triangles in one plane are parted by an edge, if at all; those without a plane are decided edge by
 /// edge.
 ///
-/// `sides_of(triangle, points)` returns what `sides<K>(triangle, points)` does.
+/// `sides_of(triangle, points)` returns the same as `sides<K>(triangle, points)`.
 template <class K, class Sides_of>
 bool triangles_meet(const Corners<K>& whole_p, const Corners<K>& whole_q, const Sides_of& sides_of)
 {
@@ -173,6 +175,7 @@ bool triangles_meet(const Corners<K>& whole_p, const Corners<K>& whole_q, const 
          volume_sign<K>(*p[0], *p[2], *q[0], *q[2]) != NEGATIVE;
 }
 
+/// Decides the sides by `sides<K>`.
 template <class K>
 bool triangles_meet(const Corners<K>& p, const Corners<K>& q)
 {

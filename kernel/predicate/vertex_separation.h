@@ -29,7 +29,7 @@ struct Placed_vertices {
 inline double largest_coordinate(const std::vector<Vertex>& vertices)
 {
   double largest = 0;
-  for (const Vertex& v : vertices) largest = maximum(largest, maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2])));
+  for (const Vertex& v : vertices) largest = maximum(largest, std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
   return largest;
 }
 
@@ -37,7 +37,8 @@ inline double largest_coordinate(const std::vector<Vertex>& vertices)
 class Vertex_reach {
  public:
   /// Upper bound of the error of a product, relative to the sum of its terms' magnitudes. An entry may be a rounded
-  /// fraction; a factor has 3 roundings, and a sum 4. The rest covers the bound's own.
+  /// fraction; a factor has 3 roundings, and a sum 4. The rest covers the bound's own. They are counted by hand
+  /// (verify/proofs/other_constants.h).
   static constexpr double rounding = 0x1p-49;
 
   Vertex_reach(const Placed_vertices& body, const std::array<int, 3>& direction) : vertices_(body.vertices)
@@ -54,12 +55,13 @@ class Vertex_reach {
                                                                        : std::numeric_limits<double>::infinity();
   }
 
+  /// Returns the product of vertex v.
   double operator()(std::size_t v) const
   {
     return sum(placed_terms(factor_[0], factor_[1], factor_[2], factor_[3], vertices_[v]));
   }
 
-  /// Upper bound of the error of each product; infinite: not known.
+  /// Returns an upper bound of the error of each product; infinite where none is known.
   double error() const { return error_; }
 
   /// Returns the vertex of the largest product, or of the least if `sign` is -1.
@@ -83,7 +85,8 @@ class Vertex_reach {
 
 /// True when some direction is found along which all vertices of B are strictly beyond those of A; so the bodies share
 /// no point. It tries `direction`, which leads from A to B, and up to `steps` - 1 others: a direction along which they
-/// overlap is mirrored as in `Separating_direction`. Requires vertices of both, and 0 < `steps`.
+/// overlap is mirrored as in `Separating_direction`. It gives up where more than four vertices of a body come near the
+/// plane. Requires vertices of both, and 0 < `steps`.
 ///
 /// `point_a(v)` and `point_b(v)` return the placed vertices.
 template <class Point_a, class Point_b>

@@ -14,10 +14,11 @@
 /// Points inside or outside a solid, each with a free segment to a given point. They prove what is next to that point.
 namespace tetracone::tetratree {
 
-/// A placed body, and a point x in space to which segments lead.
+/// A placed body, and a point x in space to which segments lead. It appends proofs that points are inside or outside,
+/// each with a free segment to x.
 class Approach {
  public:
-  /// `holder` is the body. The points from which segments lead are binary fractions, once multiplied by the
+  /// `holder` is the body. The points from which segments lead must be binary fractions once they are multiplied by the
   /// denominators of x and of `more`.
   Approach(const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
            const kernel::Rational_point& more = {})
@@ -29,8 +30,8 @@ class Approach {
     by_ = kernel::Rational(common) * kernel::Rational(pair_.weight);
   }
 
-  /// Appends y, and the segment from it to x, which meets the surface at its end x at the earliest. False where y is
-  /// not on the side that `is_inside` names, or the segment is not free.
+  /// Appends y, and the segment from it to x, which meets the surface at its end x at the earliest. False, without a
+  /// change of the text, where y is not on the side that `is_inside` names, or the segment is not free.
   bool operator()(std::string& text, const kernel::Rational_point& y, bool is_inside)
   {
     if (y == x_) return false;
@@ -58,13 +59,14 @@ class Approach {
   kernel::Rational by_;  // x times it has the scale of the body
 };
 
-/// Appends a point that is inside of body `holder` or, unless `is_inside`, outside, and a segment from it to x. With
-/// `along`, it leads against that direction. False where none of the points that are tried has both.
+/// Appends a point that is inside of body `holder` or, unless `is_inside`, outside, and a free segment from it to x.
+/// With `along`, the segment leads against that direction. False, without a change of the text, where no point that is
+/// tried serves.
 inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t holder, const kernel::Rational_point& x,
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {
   Random_integers random = at.random;
-  const double size = middle_of(at, holder).second, length = along ? longest_part(*along).get_d() : 1;
+  const double size = middle_of(at, holder).second, length = along ? kernel::longest_part(*along).get_d() : 1;
   Approach approach(at, holder, x, along.value_or(kernel::Rational_point{}));
   constexpr int most_points = 192, points_of_a_size = 8;
   for (int n = 0; n < most_points; ++n) {
@@ -79,7 +81,8 @@ inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t h
   return false;
 }
 
-/// Appends a proof that a point of the inner body is not in the interior of the other one. False where none is found.
+/// Appends a proof that a common point, of the inner body, is not in the interior of the other one. False where none is
+/// found; the text is of no use then.
 inline bool add_border(std::string& text, const Placed_pair& pair, int inner, const Common_point& met)
 {
   const kernel::Rational_point x = rational(met.point, pair.weight);
@@ -93,8 +96,8 @@ inline bool add_border(std::string& text, const Placed_pair& pair, int inner, co
   return true;
 }
 
-/// Returns a common point, and points from it towards the middles of both pieces. Where faces touch in an area, the
-/// common point may be on the area's border. The others are within the area.
+/// Returns a common point, and points from it towards the middles of both pieces and between these. Where faces touch
+/// in an area, the common point may be on the area's border. Others are within the area.
 inline std::vector<kernel::Rational_point> points_near(const Placed_pair& pair, const Common_point& met)
 {
   const kernel::Rational_point x = rational(met.point, pair.weight);
@@ -110,8 +113,7 @@ inline std::vector<kernel::Rational_point> points_near(const Placed_pair& pair, 
   for (std::size_t c = 0; c < 3; ++c) way[2][c] = (way[0][c] + way[1][c]) / 2;
   std::vector<kernel::Rational_point> points = {x};
   for (const kernel::Rational& part : {kernel::Rational(1, 2), kernel::Rational(1, 16), kernel::Rational(1, 256)})
-    for (const kernel::Rational_point& w : way)
-      points.push_back({x[0] + part * w[0], x[1] + part * w[1], x[2] + part * w[2]});
+    for (const kernel::Rational_point& w : way) points.push_back(kernel::sum(x, kernel::scaled(w, part)));
   return points;
 }
 
@@ -122,7 +124,8 @@ struct Crossing_before {
   kernel::Rational length;
 };
 
-/// Appends what `add_just_before` does, by two faces that go through one another before the exit.
+/// Appends the row of `add_just_before`, by two faces that go through one another before the exit. False, without a
+/// change of the text, where no points serve.
 ///
 /// The middle of the segment that they share moves on a line while A comes to the exit; x is where that line ends.
 /// Points beside the segment, one of the four sides of the two faces, are inside of both bodies. Such a point, and
@@ -133,7 +136,7 @@ inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const 
   using kernel::Rational;
   using kernel::Rational_point;
   const auto segment_before = [&](const Rational& step) -> std::optional<kernel::Rational_face::Edge> {
-    const Rational_point shift = {step * along[0], step * along[1], step * along[2]};
+    const Rational_point shift = kernel::scaled(along, step);
     auto edges = crossing.face[0].edges();
     for (auto& [from, to] : edges) {
       from = kernel::difference(from, shift);
@@ -159,14 +162,14 @@ inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const 
     for (std::size_t k = 0; k < 2; ++k) {
       const Rational_point exact_across = kernel::cross(crossing.face[k].normal(), way);
       if (kernel::dot(crossing.face[1 - k].normal(), exact_across) < 0) inside |= 1 << k;
-      const Rational by = longest_part(way) / longest_part(exact_across);
+      const Rational by = kernel::longest_part(way) / kernel::longest_part(exact_across);
       for (std::size_t c = 0; c < 3; ++c) across[k][c] = Rational(exact_across[c] * by).get_d();
     }
     Approach of_a(pair, 0, x, along), of_b(pair, 1, x, along);
     for (const double share : {0x1p-2, 0x1p-5})
       for (const int other : {0, 1, 2, 3}) {
         const int side = inside ^ other;
-        const double size = share * longest_part(way).get_d();
+        const double size = share * kernel::longest_part(way).get_d();
         if (!(size > 0x1p-900)) continue;
         const Rational unit = std::ldexp(1.0, std::ilogb(size) - 10);
         Rational_point in_b, in_a;
@@ -190,7 +193,8 @@ inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const 
 }
 
 /// Appends a proof, as a row of `before`, that the interiors share a point just before A comes to its pose. A moves
-/// along a direction, and `crossings` are of its last way.
+/// along a direction, and `crossings` are of the end of its way. False, without a change of the text, where none is
+/// found.
 inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::Rational_point& along,
                             const std::vector<Crossing_before>& crossings)
 {
@@ -199,7 +203,7 @@ inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::R
   std::string unused = "{";
   const auto met = cover_or_meet(unused, pair);
   if (!met) return false;
-  const std::array<kernel::Rational_point, 2> ahead = {along, {-along[0], -along[1], -along[2]}};
+  const std::array<kernel::Rational_point, 2> ahead = {along, kernel::negated(along)};
   for (const kernel::Rational_point& x : points_near(pair, *met))
     for (const std::size_t k : {1, 0}) {  // the body of the segment along the direction
       std::string both = "{";

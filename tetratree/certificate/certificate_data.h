@@ -20,11 +20,12 @@ namespace tetracone {
 
 /// The bodies of a certificate, and its answers so far.
 struct Certificate::Data {
+  /// A body, as the certificate names it.
   struct Part {
     std::shared_ptr<const detail::Body_data> body;
-    std::optional<Certified_file> file;
-    std::vector<Index> source_face;
-    std::optional<tetratree::Group_tree> groups;
+    std::optional<Certified_file> file;           ///< nothing where the body itself is written
+    std::vector<Index> source_face;               ///< for each face of the body, the face of the file
+    std::optional<tetratree::Group_tree> groups;  ///< made when a proof first needs it
 
     explicit Part(std::shared_ptr<const detail::Body_data> b)
         : body(std::move(b)), source_face(body->polyhedron.face_count())
@@ -34,6 +35,7 @@ struct Certificate::Data {
 
     const covering::Polyhedron& polyhedron() const { return body->polyhedron; }
 
+    /// Returns the groups, made now if need be.
     tetratree::Group_tree& tree()
     {
       if (!groups) groups.emplace(body->bvh8(), source_face);
@@ -41,16 +43,12 @@ struct Certificate::Data {
     }
   };
 
-  std::vector<Part> parts;
-  std::vector<std::string> answers;
-  std::size_t without_proof = 0;
+  std::vector<Part> parts;           ///< one body or two
+  std::vector<std::string> answers;  ///< each as JSON
+  std::size_t without_proof = 0;     ///< number of answers that were left out
 
   /// Returns the number of a text. Throws Error for a text that is none.
-  static kernel::Rational parsed(const std::string& text)
-  {
-    if (const auto number = kernel::parse_number(text)) return *number;
-    throw Error("certificate: '" + text.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
-  }
+  static kernel::Rational parsed(const std::string& text) { return kernel::required_number(text, "certificate: "); }
 
   /// Returns the trees of both bodies. Throws Error for a certificate of one body.
   std::array<tetratree::Group_tree*, 2> groups()
@@ -59,19 +57,21 @@ struct Certificate::Data {
     return {&parts[0].tree(), &parts[1].tree()};
   }
 
+  /// Returns both bodies by their triangles. Throws as `groups`.
   tetratree::Two_bodies triangles()
   {
     const auto [a, b] = groups();
     return {tetratree::Numbered_triangles(*parts[0].body, *a), tetratree::Numbered_triangles(*parts[1].body, *b)};
   }
 
+  /// Returns both bodies at their poses. Throws as `groups`, and where floating point is not sound.
   tetratree::Placed_pair placed(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
   {
     kernel::require_sound_floating_point();
     return {groups(), {pose_a, pose_b}};
   }
 
-  /// Returns the only body. Throws Error for a certificate of two bodies.
+  /// Returns the only body. Throws Error for a certificate of two bodies, and where floating point is not sound.
   Part& only()
   {
     kernel::require_sound_floating_point();
@@ -79,9 +79,10 @@ struct Certificate::Data {
     return parts[0];
   }
 
-  /// Returns the beginning of an answer; the second one ends before the answer's value.
+  /// Returns the beginning of an answer's text: what was asked.
   static std::string begin(std::string_view ask) { return "{\"ask\":" + tetratree::json_text(ask); }
 
+  /// Returns the text of an answer about two bodies up to the answer's value.
   static std::string begin(std::string_view ask, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
                            std::optional<Question> question = {})
   {
@@ -99,23 +100,27 @@ struct Certificate::Data {
   /// Closes an answer, and adds it.
   void keep(std::string answer) { answers.push_back(std::move(answer) + "}"); }
 
-  /// Counts an answer that has no proof.
+  /// Counts an answer that has no proof. Returns false.
   bool leave_out()
   {
     ++without_proof;
     return false;
   }
 
-  /// Adds an answer. `leaves` is the pair of leaves at which the query found that the surfaces meet, if known.
+  /// Adds an answer. `leaves` is the pair of leaves at which the query found that the surfaces meet, if known. Throws
+  /// Error where the answer is not proved.
   void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer,
                const std::optional<tetratree::Box_ids>& leaves);
 
-  /// Appends the nearest points and their faces, or a proof that one solid holds a shell of the other.
+  /// Appends the nearest points and their faces, or a proof that one solid holds a shell of the other. Throws Error
+  /// where neither is found.
   void together(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Nearest& nearest);
-  /// Appends a proof that the distance is above the root of `square`; with `or_equal`, that it is not below.
+  /// Appends a proof that the distance is above the root of `square`; with `or_equal`, that it is not below. Throws
+  /// Error where there is none.
   void at_least_apart(std::string& text, const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
                       const kernel::Rational& square, bool or_equal, const Nearest& nearest);
-  /// Returns a face of the file that has the part which holds a nearest point.
+  /// Returns a face of the file that has the vertex, edge or face which holds a nearest point. Throws Error for an edge
+  /// or a vertex of no face.
   Index face_of(std::size_t body, const Holder& holder) const;
 
   /// True when both bodies have the same faces, by the places of their corners.

@@ -97,9 +97,7 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
   tetratree::add_list(text, direction, [](const std::string& x) { return tetratree::json_text(x); });
   Rational_point along;
   for (std::size_t k = 0; k < 3; ++k) along[k] = Data::parsed(direction[k]);
-  const auto shifted = [&](const Rational& s) {
-    return tetratree::moved({pose_a, pose_b}, {s * along[0], s * along[1], s * along[2]});
-  };
+  const auto shifted = [&](const Rational& s) { return tetratree::moved({pose_a, pose_b}, kernel::scaled(along, s)); };
   kernel::require_sound_floating_point();
   Placed_pair first(data_->groups(), shifted(exit[0]));
   if (!add_interiors_apart(text, first)) return data_->leave_out();

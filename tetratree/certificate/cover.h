@@ -18,13 +18,15 @@
 namespace tetracone::tetratree {
 
 /// Calls each(v) for the corners v that may be the first (sign < 0) or the last (sign > 0) along m. All others are
-/// behind one of them by more than all rounding errors.
+/// behind one of them by more than all rounding errors. Requires rounded points.
 template <class Each>
 void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign, const Each& each)
 {
-  // Least sizes of m and of coordinates, at which numbers and products underflow by less than the slack.
-  constexpr double least = 0x1p-100, least_point = 0x1p-900;
-  constexpr double rounding = 0x1p-48;  // of two products of three numbers that are rounded, each to 2^-52
+  constexpr double least = 0x1p-100,  // the least size of m at which underflow is below the slack
+      least_point = 0x1p-900;         // the least coordinate at which it is
+  // Upper bound of the error of two scalar products, relative to their terms. Numbers have an error of 2 of 2^-53 each,
+  // and products and sums 3: 14 of 32, counted by hand (verify/proofs/other_constants.h).
+  constexpr double rounding = 0x1p-48;
   const kernel::Rounded_vector way = {sign * m[0].to_double(), sign * m[1].to_double(), sign * m[2].to_double()};
   const kernel::Hull_points& points = *hull.points;
   double last = -HUGE_VAL;
@@ -39,6 +41,7 @@ void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign,
 /// A hull of those corners of another hull that may be the first or the last along a direction.
 class Last_corners {
  public:
+  /// The corners that `for_last` names.
   Last_corners(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign)
   {
     for_last(hull, m, sign, [&](std::uint32_t v) { corners_.push_back(v); });
@@ -54,20 +57,20 @@ class Last_corners {
   kernel::Hull hull_{};
 };
 
-/// Returns what kernel::extent returns, but multiplies few corners exactly.
+/// Returns what kernel::extent returns, but multiplies few corners exactly. Requires rounded points.
 inline kernel::Exact_number extent_of(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign)
 {
   return kernel::extent(Last_corners(hull, m, sign).hull(), m, sign);
 }
 
-/// Returns what kernel::direction_between returns, for hulls of many corners. It searches with a few corners, and adds
-/// those that the direction found does not separate. Nothing also where that takes too many rounds.
+/// Returns a direction as kernel::direction_between does, for hulls of many corners. It searches with a few corners,
+/// and adds those that the direction found does not separate. Returns nothing also where that takes too many rounds.
 inline std::optional<kernel::Rounded_vector> direction_by_few(std::span<const kernel::Hull_pair> pairs, double distance)
 {
   using kernel::Hull;
   using kernel::Rounded_vector;
-  constexpr std::size_t few = 8;
-  constexpr int most_rounds = 12;
+  constexpr std::size_t few = 8;   // corners of a hull in the first search, about
+  constexpr int most_rounds = 12;  // searches
   const auto along = [](const Rounded_vector& z, const Hull& hull, std::uint32_t v) {
     return kernel::dot(z, hull.points->rounded(v));
   };
@@ -124,7 +127,8 @@ class Cover_search {
   }
 
   /// True when holds(m) for a direction m that is found; its number is then appended to the nodes. Directions of few
-  /// bits are tried first.
+  /// bits are tried first. The arguments `pairs` and `distance` are those of `direction_by_few`. With `recession`, the
+  /// exact recession of all A, the product of m with it is not positive.
   template <class Holds>
   bool separates(std::span<const kernel::Hull_pair> pairs, double distance,
                  const std::optional<kernel::Exact_vector>& recession, const Holds& holds)
@@ -148,6 +152,7 @@ class Cover_search {
     return groups.members(box);
   }
 
+  /// Appends a direction's number, or a text, to the nodes.
   void append(std::size_t direction) { cover_.nodes += std::to_string(direction); }
   void append(const char* text) { cover_.nodes += text; }
 
@@ -160,6 +165,7 @@ struct Covered_body {
   Group_tree* groups;
   kernel::Hull_points points;
 
+  /// Returns the hull of a group. It is valid as long as this.
   kernel::Hull hull(Box_id box) const { return {&points, groups->group(box).corners}; }
 
   /// Returns the face of a piece: a triangle, a face on a line, or a face that was not triangulated, with its loops.
@@ -184,15 +190,14 @@ inline std::vector<kernel::Exact_vector> parting_directions(const std::array<ker
   std::vector<kernel::Exact_vector> found;
   for (const kernel::Exact_face& f : face) {
     if (!f.plane) continue;
-    const kernel::Exact_vector normal = kernel::detail::normal_of(*f.plane);
+    const kernel::Exact_vector normal = kernel::normal_of(*f.plane);
     found.push_back(normal);
     for (const auto& [p, q] : f.edges) found.push_back(kernel::cross(normal, kernel::difference(q, p)));
   }
   for (const auto& [p, q] : face[0].edges)
     for (const auto& [r, s] : face[1].edges)
       found.push_back(kernel::cross(kernel::difference(q, p), kernel::difference(s, r)));
-  for (std::size_t k = 0, count = found.size(); k < count; ++k)
-    found.push_back(kernel::detail::scaled(found[k], kernel::Exact_number(-1)));
+  for (std::size_t k = 0, count = found.size(); k < count; ++k) found.push_back(kernel::negated(found[k]));
   return found;
 }
 
@@ -208,12 +213,14 @@ struct Face_without_triangles {
   Index face;
 };
 
-/// Covers the pairs of pieces of two placed bodies, or finds a pair that does not keep the rule.
+/// Covers the pairs of pieces of two placed bodies, or finds a pair that does not keep the rule. Each object covers
+/// once.
 class Pair_cover {
  public:
+  /// Requires points that are rounded together. Both bodies must outlive this object.
   Pair_cover(Covered_body& a, Covered_body& b, kernel::Gap_rule rule) : body_{&a, &b}, rule_(std::move(rule)) {}
 
-  /// Tries this direction first for each pair.
+  /// Tries this direction first for each pair. Call it at most once, before the cover.
   void prefer(kernel::Exact_vector m)
   {
     search_.add(std::move(m));
@@ -224,6 +231,7 @@ class Pair_cover {
   /// apart, but not as far as the rule asks. Throws Face_without_triangles.
   bool operator()() { return covers({}, {}); }
 
+  /// Returns the cover, complete where the call above returned true.
   Cover& cover() { return search_.cover(); }
   const std::optional<Common_point>& common() const { return common_; }
 
@@ -293,12 +301,14 @@ struct Probe {
   std::optional<kernel::Exact_vector> direction;  ///< of a ray
 };
 
-/// Covers the pieces of a placed body against a probe, from which the groups are as far as a rule says.
+/// Covers the pieces of a placed body against a probe, from which the groups are as far as a rule says. Each object
+/// covers once.
 class Probe_cover {
  public:
   /// The result of meets(), for a piece that no direction separates from the probe.
   enum class Met { is_covered, stops };
 
+  /// The body must outlive this object. Its points may be rounded anew, on the probe's scale.
   Probe_cover(Covered_body& body, Probe probe, kernel::Gap_rule rule = {})
       : body_(&body), probe_(std::move(probe)), rule_(std::move(rule))
   {
@@ -316,7 +326,7 @@ class Probe_cover {
 
   /// Calls meets(piece, face, is_apart) for each piece whose hull no direction separates from the probe, until it
   /// returns `stops`. `is_apart` tells that the face itself shares no point with the probe. meets() appends a node
-  /// where it returns `is_covered`. True when all pieces are covered. Throws Face_without_triangles.
+  /// where it returns `is_covered`. True when all pieces are covered.
   template <class Meets>
   bool operator()(const Meets& meets)
   {
@@ -326,7 +336,7 @@ class Probe_cover {
   Cover& cover() { return search_.cover(); }
   Cover_search& search() { return search_; }
 
-  /// Returns the probe as a face: a ray is cut beyond the body.
+  /// Returns the probe as a face: a segment there and back. That of a ray ends beyond the body.
   const kernel::Exact_face& face() const { return face_; }
 
  private:
@@ -339,9 +349,7 @@ class Probe_cover {
     if (probe_.direction) {
       const kernel::Exact_number beyond = extent_of(body_->hull({}), *probe_.direction, 1);
       kernel::Exact_number length = 1;
-      const auto at = [&] {
-        return kernel::detail::sum(probe_.start, kernel::detail::scaled(*probe_.direction, length));
-      };
+      const auto at = [&] { return kernel::sum(probe_.start, kernel::scaled(*probe_.direction, length)); };
       while (!(kernel::dot(*probe_.direction, at()) > beyond)) length = length * kernel::Exact_number(16);
       end = at();
     }

@@ -12,12 +12,13 @@
 /// Numbers of placed points, which have a common weight, as the fractions of certificates, and back.
 namespace tetracone::tetratree {
 
+/// Returns the numbers as fractions.
 inline kernel::Rational_point rational(const kernel::Exact_vector& v)
 {
   return {kernel::Rational(v[0]), kernel::Rational(v[1]), kernel::Rational(v[2])};
 }
 
-/// Returns the point in the bodies' coordinates. The coordinates of `point` are `weight` times as large.
+/// Returns a point in the bodies' coordinates. The coordinates of `point` are `weight` times as large.
 inline kernel::Rational_point rational(const kernel::Exact_point& point, const kernel::Exact_number& weight)
 {
   const kernel::Rational by = kernel::Rational(point.weight) * kernel::Rational(weight);
@@ -26,20 +27,13 @@ inline kernel::Rational_point rational(const kernel::Exact_point& point, const k
   return x;
 }
 
-/// Returns the largest absolute value of a coordinate.
-inline kernel::Rational longest_part(const kernel::Rational_point& v)
-{
-  kernel::Rational longest = 0;
-  for (const kernel::Rational& x : v) longest = abs(x) > longest ? kernel::Rational(abs(x)) : longest;
-  return longest;
-}
-
+/// Returns the least common denominator of the coordinates.
 inline mpz_class common_denominator(const kernel::Rational_point& x)
 {
   return lcm(lcm(x[0].get_den(), x[1].get_den()), x[2].get_den());
 }
 
-/// Returns the direction in integers without a common factor. Requires one other than 0.
+/// Returns the positive multiple of a direction that has integers without a common factor. Requires one other than 0.
 inline kernel::Rational_point in_lowest_terms(kernel::Rational_point m)
 {
   const mpz_class common = common_denominator(m);
@@ -52,14 +46,14 @@ inline kernel::Rational_point in_lowest_terms(kernel::Rational_point m)
   return m;
 }
 
-/// Returns a number that is rounded towards 0 to a multiple of a unit above 0.
+/// Returns x, rounded towards 0 to a multiple of `unit`. Requires a unit above 0.
 inline kernel::Rational rounded_to(const kernel::Rational& unit, const kernel::Rational& x)
 {
   const kernel::Rational units = x / unit;
   return kernel::Rational(mpz_class(units.get_num() / units.get_den())) * unit;
 }
 
-/// Returns the number. Requires an integer, or a binary fraction.
+/// Returns the number as a binary fraction. Requires that it is one.
 inline kernel::Exact_number exact(const kernel::Rational& x)
 {
   kernel::Exact_number value = 0;
@@ -74,7 +68,7 @@ inline kernel::Exact_number exact(const kernel::Rational& x)
   return sgn(x) < 0 ? kernel::Exact_number(-value) : value;
 }
 
-/// Returns the point times a weight for which that is exact.
+/// Returns the point times a weight. Requires that the products are binary fractions.
 inline kernel::Exact_vector exact(const kernel::Rational_point& x, const kernel::Rational& weight)
 {
   return {exact(x[0] * weight), exact(x[1] * weight), exact(x[2] * weight)};

@@ -44,6 +44,7 @@ class Numbered_triangles {
       if (!groups.piece(n).is_whole_face()) number_.emplace(in_order(groups.piece(n).corner), n);
   }
 
+  /// Return what searches for exits and depths need of the body.
   Seen_solid seen() const { return {body_->bvh8(), body_->polyhedron, body_->solid_sides()}; }
   Inner_balls balls() const { return {body_->bvh8(), body_->point_locator()}; }
 
@@ -74,7 +75,8 @@ class Numbered_triangles {
 
 using Two_bodies = std::array<Numbered_triangles, 2>;
 
-/// Appends two pieces of A and of B, by faces of the triangles. False where one has no number.
+/// Appends the numbers of a piece of A and of one of B, given as triangles. False, without a change of the text, where
+/// one has no number.
 inline bool add_pieces(std::string& text, const Two_bodies& bodies, const std::array<Index, 2>& faces)
 {
   const auto a = bodies[0](faces[0]), b = bodies[1](faces[1]);
@@ -83,13 +85,13 @@ inline bool add_pieces(std::string& text, const Two_bodies& bodies, const std::a
   return true;
 }
 
-/// Appends the windings of a point inside of both solids. It is the centre of one of the balls, or it is near a common
-/// point of the surfaces. False where none is found.
+/// Appends the windings of a point inside of both solids. It is the centre of one of the balls of A or of B, or it is
+/// near a common point of the surfaces. False where none is found; the text is of no use then.
 inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::array<std::vector<Ball>, 2>& balls)
 {
   for (const auto& of_body : balls)
     for (const Ball& ball : of_body) {
-      const kernel::Rational_point at = {ball.centre[0], ball.centre[1], ball.centre[2]};
+      const kernel::Rational_point at = kernel::exact_point(ball.centre);
       const kernel::Exact_vector x = exact(at, kernel::Rational(pair.weight));
       const std::string of = "\"point\":" + strings_of(at);
       const auto in_a = winding_row(pair, 0, of, x), in_b = winding_row(pair, 1, of, x);
@@ -102,14 +104,15 @@ inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::a
   return met && add_sides(text, pair, *met, {{true, true}});
 }
 
-/// Returns a few crossings of triangles just before an exit. `at_start` are the bodies as they were given.
+/// Returns a few crossings of triangles just before an exit along a direction, in lengths of it. `at_start` are the
+/// bodies as they were given.
 inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start, const Two_bodies& bodies,
                                                      const kernel::Rational_point& along, const kernel::Rational& exit)
 {
   constexpr std::size_t most_crossings = 4;
   const kernel::Direction_view view(along);
   Exit_search search(bodies[0].seen(), bodies[1].seen());
-  const auto pose = moved(at_start.pose, {exit * along[0], exit * along[1], exit * along[2]});
+  const auto pose = moved(at_start.pose, kernel::scaled(along, exit));
   std::vector<Crossing_before> crossings;
   for (const Exit_search::Stretch& stretch : search.stretches_before(
            view.of(at_start.pose[0]), view.of(at_start.pose[1]), exit * view.height(), most_crossings))
@@ -119,16 +122,14 @@ inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start
 }
 
 /// Appends, as `overlap`, why the interiors share a point for all moves along a direction from 0 to before the first
-/// exit. False where a part of the way has no proof.
+/// exit. False, without a change of the text, where a part of the way has no proof.
 inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_bodies& bodies,
                           const kernel::Rational_point& along, const kernel::Rational& first)
 {
-  constexpr double shortest = 0x1p-16;  // of intervals, as of ways
+  constexpr double shortest = 0x1p-16;  // of intervals: a part of the way that needs shorter ones has no proof
   const kernel::Direction_view view(along);
   Exit_search search(bodies[0].seen(), bodies[1].seen());
-  const auto poses_at = [&](const kernel::Rational& s) {
-    return moved(pair.pose, {s * along[0], s * along[1], s * along[2]});
-  };
+  const auto poses_at = [&](const kernel::Rational& s) { return moved(pair.pose, kernel::scaled(along, s)); };
   std::vector<std::string> rows;
   std::vector<Inner_balls> inner;  // of both bodies, made where the first point is needed
   const auto add_point = [&](const kernel::Rational& s) {
@@ -181,12 +182,12 @@ inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_
 /// Writes the proof that no translation shorter than a bound parts two solids whose interiors share a point.
 class Lower_bound {
  public:
-  /// All must outlive this object.
+  /// The bodies at their poses, and the same by their triangles. All must outlive this object.
   Lower_bound(Placed_pair& pair, const Two_bodies& bodies) : pair_(&pair), bodies_(&bodies) {}
 
   /// Appends, as `low`, the proof for a translation that parts the solids. The search ends where the bracket's width is
-  /// this share of its length, or earlier. A proof that gets too long is made of fewer boxes. The bound is exact where
-  /// the search closes all boxes. False where no bound above 0 is proved.
+  /// `relative` times its upper end, or earlier. A proof that gets too long is made of fewer boxes. The bound is exact
+  /// where the search closes all boxes. False, without a change of the text, where no bound above 0 is proved.
   bool operator()(std::string& text, const kernel::Rational_point& vector, double relative)
   {
     const auto& [a, b] = *bodies_;
@@ -272,13 +273,12 @@ class Lower_bound {
     return false;
   }
 
-  /// Appends the cover of a box of translations. Where no direction separates two pieces for all of them, it halves
-  /// the box, at most so many times.
+  /// Appends the cover of a box of translations. Where no direction separates two pieces for all of them, it halves the
+  /// box, at most `halvings` times. False where that does not suffice, or the text gets too long.
   bool add_cover_of(std::string& text, const Box& box, int halvings)
   {
     if (text.size() > most_bytes) return false;
-    const kernel::Rational_point centre = {box.centre[0], box.centre[1], box.centre[2]};
-    Placed_pair pair = pair_->at(moved(pair_->pose, centre));
+    Placed_pair pair = pair_->at(moved(pair_->pose, kernel::exact_point(box.centre)));
     const kernel::Exact_number& weight = pair.weight;
     kernel::Gap_rule rule{exact(square_.get_num()) * weight * weight, exact(square_.get_den()), true, 0};
     rule.sweep.emplace();
@@ -316,12 +316,12 @@ class Lower_bound {
     return std::size_t(std::ranges::find(used_, ball) - used_.begin());
   }
 
-  /// Appends a ball: its centre is inside, and all faces are at least its radius away.
+  /// Appends a ball: its centre is inside, and all faces are at least its radius away. False where that has no proof.
   bool add_ball(std::string& text, const Ball_number& number)
   {
     const auto& [body, n] = number;
     const Ball& ball = proof_.balls[body][n];
-    const kernel::Rational_point at = {ball.centre[0], ball.centre[1], ball.centre[2]};
+    const kernel::Rational_point at = kernel::exact_point(ball.centre);
     const kernel::Rational weight(pair_->weight);
     const kernel::Exact_vector centre = exact(at, weight);
     const auto row = winding_row(*pair_, int(body), "\"point\":" + strings_of(at), centre);
@@ -338,7 +338,7 @@ class Lower_bound {
     return true;
   }
 
-  static constexpr std::size_t most_bytes = 1 << 20;  // of covers, at which no further one is begun
+  static constexpr std::size_t most_bytes = 1 << 20;  // of a proof's text, above which no further cover is begun
   static constexpr std::size_t most_balls = 16;       // of a body
   static constexpr int most_halvings = 6;             // of a box without contact
 
@@ -346,7 +346,7 @@ class Lower_bound {
   const Two_bodies* bodies_;
   Depth_proof proof_;
   kernel::Rational square_;
-  std::vector<Ball_number> used_;
+  std::vector<Ball_number> used_;  // the balls that boxes name
 };
 
 }  // namespace tetracone::tetratree

@@ -12,17 +12,16 @@
 
 namespace tetracone::tetratree {
 
-/// Covers the pairs of pieces of two bodies that move, over the times from 0 to an end.
+/// Covers the pairs of pieces of two bodies that move, over the times from 0 to an end. Each object covers once.
 class Motion_cover {
  public:
-  /// `may_touch_at_end`: the bodies may share points at the end of the interval, not before. No interval of at most
-  /// `shortest` is cut.
+  /// `may_touch_at_end`: the bodies may share points at `end`, not before. No interval of at most `shortest` is cut.
+  /// `moving` must outlive this object.
   Motion_cover(Moving_pair& moving, double end, bool may_touch_at_end, double shortest = 0)
       : moving_(&moving), end_(end), shortest_(shortest), may_touch_at_end_(may_touch_at_end)
   {}
 
-  /// True when all pairs are covered. False where pieces touch, or come so near that no direction was found: they may
-  /// only graze.
+  /// True when all pairs are covered. False where no cover was found: pieces touch, or come near and may only graze.
   bool operator()() { return covers({}, {}, 0, end_); }
 
   Cover& cover() { return search_.cover(); }

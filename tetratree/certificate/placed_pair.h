@@ -32,7 +32,8 @@ class Random_integers {
   std::uint32_t state_ = 1;
 };
 
-/// Returns a body, with its coordinates multiplied by `weight` and by the weights of both poses.
+/// Returns a body at `pose`, with its coordinates multiplied by `weight` and by the weights of both poses. `other` is
+/// the pose of the other body.
 inline Covered_body placed(Group_tree& groups, const kernel::Pose& pose, const kernel::Pose& other,
                            const kernel::Exact_number& weight)
 {
@@ -44,15 +45,17 @@ inline Covered_body placed(Group_tree& groups, const kernel::Pose& pose, const k
   return {&groups, kernel::Hull_points(vertices, entry)};
 }
 
-/// Two placed bodies on one scale.
+/// Two placed bodies on one scale, A first.
 struct Placed_pair {
   using Poses = std::array<kernel::Pose, 2>;
 
   std::array<Covered_body, 2> body;
   Poses pose;
-  kernel::Exact_number weight, rounding;  ///< the factor of all coordinates; a further one of the rounded ones
-  Random_integers random;
+  kernel::Exact_number weight;    ///< the factor of all coordinates
+  kernel::Exact_number rounding;  ///< a further factor of the rounded ones
+  Random_integers random;         ///< for searches with this pair
 
+  /// The bodies at these poses. The groups must outlive this object.
   Placed_pair(const std::array<Group_tree*, 2>& groups, const Poses& poses)
       : body{placed(*groups[0], poses[0], poses[1], 1), placed(*groups[1], poses[1], poses[0], 1)},
         pose(poses),
@@ -61,6 +64,7 @@ struct Placed_pair {
   {}
 
   std::array<Group_tree*, 2> groups() const { return {body[0].groups, body[1].groups}; }
+  /// Returns the bodies at other poses.
   Placed_pair at(const Poses& poses) const { return {groups(), poses}; }
 
   /// Returns the faces of the file of which the pieces are parts.
@@ -69,12 +73,13 @@ struct Placed_pair {
     return {body[0].groups->source_face(piece[0]), body[1].groups->source_face(piece[1])};
   }
 
+  /// Returns two pieces as faces.
   std::array<kernel::Exact_face, 2> faces(const std::array<Box_id, 2>& piece)
   {
     return {body[0].face(piece[0]), body[1].face(piece[1])};
   }
 
-  /// Returns the point that two pieces share, if there is one.
+  /// Returns a point that two pieces share; nothing where they share none.
   std::optional<Common_point> common(const std::array<Box_id, 2>& piece)
   {
     const auto face = faces(piece);
@@ -91,15 +96,16 @@ inline void add_common(std::string& text, const Placed_pair& pair, const Common_
   add_witness(text, {x, x}, pair.source_faces(common.piece));
 }
 
-/// Throws Error for a face without triangles.
+/// Throws Error, which names a face of the tree that has no triangles.
 [[noreturn]] inline void refuse_whole(const Group_tree& groups, Index face)
 {
   fail_proof("face " + std::to_string(groups.source_face(face)) +
              " has no triangles; expected a face whose loops don't cross");
 }
 
-/// Appends a cover of the pair, or a witness; then it returns the point that the surfaces share. Throws Error for a
-/// face that lacks triangles, and for faces that are apart but break the rule.
+/// Appends a cover of the pair and returns nothing, or appends a witness and returns a point that the surfaces share.
+/// `preferred` is a direction to try first. Throws Error for a face that lacks triangles, and for faces that are apart
+/// but break the rule.
 inline std::optional<Common_point> cover_or_meet(std::string& text, Placed_pair& pair,
                                                  const kernel::Gap_rule& rule = {},
                                                  const std::optional<kernel::Exact_vector>& preferred = {})

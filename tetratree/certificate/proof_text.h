@@ -70,9 +70,7 @@ void add_given(std::string& text, std::string_view key, const std::array<kernel:
 
 inline void add_pose(std::string& text, std::string_view key, const kernel::Pose& pose)
 {
-  std::array<kernel::Rational, 12> numbers;
-  for (int k = 0; k < 12; ++k) numbers[k] = pose.exact(k);
-  add_given(text, key, numbers);
+  add_given(text, key, kernel::rows_of(pose));
 }
 
 inline void add_rigid_pose(std::string& text, std::string_view key, const kernel::Rigid_pose& pose)

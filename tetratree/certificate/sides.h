@@ -21,10 +21,10 @@ inline std::vector<kernel::Rational> crossing_times(Placed_pair& pair, const ker
 {
   std::vector<kernel::Rational> times;
   for (Covered_body& body : pair.body) {
-    Probe_cover cover(body, Probe{start, kernel::detail::sum(start, way), {}});
+    Probe_cover cover(body, Probe{start, kernel::sum(start, way), {}});
     cover([&](Box_id, const kernel::Exact_face& face, bool) {
       if (face.plane) {
-        const kernel::Exact_vector normal = kernel::detail::normal_of(*face.plane);
+        const kernel::Exact_vector normal = kernel::normal_of(*face.plane);
         const kernel::Exact_number slope = kernel::dot(normal, way),
                                    height = kernel::dot(normal, kernel::difference((*face.plane)[0], start));
         if (slope.sign() != CGAL::ZERO) times.push_back(kernel::Rational(height) / kernel::Rational(slope));
@@ -49,12 +49,13 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
 using Sides = std::array<bool, 2>;
 
 /// Appends a point for each of `wanted`, if some lines near a common point have one. All points between two crossings
-/// of a line are on one side. So points are found within the thinnest overlap. Returns whether all of `wanted` were
-/// found.
+/// of a line are on one side. So points are found within the thinnest overlap. True when all of `wanted` were found;
+/// else the text is of no use.
 inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Sides> wanted)
 {
-  constexpr int most_lines = 96, lines_of_a_size = 4;
-  constexpr std::size_t most_cells = 6;
+  constexpr int most_lines = 96,         // that are tried
+      lines_of_a_size = 4;               // of these, before others begin nearer to the point
+  constexpr std::size_t most_cells = 6;  // of a line, between two crossings, that are tried
   kernel::Rounded_vector middle;
   double size = 0;
   for (int c = 0; c < 3; ++c) middle[c] = met.point.at[c].to_double() / met.point.weight.to_double();
@@ -78,18 +79,18 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     kernel::Exact_vector exact_way = {kernel::Exact_number(pair.random(20)), kernel::Exact_number(pair.random(20)),
                                       kernel::Exact_number(pair.random(20))};
     if (const int k = n % lines_of_a_size; k < 2 && pieces[std::size_t(k)].plane)
-      exact_way = kernel::detail::normal_of(*pieces[std::size_t(k)].plane);
+      exact_way = kernel::normal_of(*pieces[std::size_t(k)].plane);
     kernel::Hull_points way{exact_way}, none;
     kernel::round_together(way, none);
     if (way.rounded(0) == kernel::Rounded_vector{}) continue;
-    const kernel::Exact_vector half = kernel::detail::scaled(
-        kernel::rounded_to_bits(way.rounded(0), 20), kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)));
+    const kernel::Exact_vector half = kernel::scaled(kernel::rounded_to_bits(way.rounded(0), 20),
+                                                     kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)));
     kernel::Exact_vector start;
     for (int c = 0; c < 3; ++c) {
       const double aside = std::ldexp(size, 1 - 2 * (n / lines_of_a_size)) * pair.random(20) * 0x1p-20;
       start[c] = kernel::Exact_number(middle[c] + aside) - half[c];
     }
-    const kernel::Exact_vector all = kernel::detail::scaled(half, kernel::Exact_number(2));
+    const kernel::Exact_vector all = kernel::scaled(half, kernel::Exact_number(2));
     const auto times = crossing_times(pair, start, all);
     std::vector<kernel::Rational> cells;
     for (std::size_t k = 1; k < times.size(); ++k) cells.push_back(short_middle(times[k - 1], times[k]));
@@ -97,7 +98,7 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     std::ranges::sort(cells, {}, distance);
     if (cells.size() > most_cells) cells.resize(most_cells);
     for (const kernel::Rational& t : cells)
-      if (!wanted.empty()) try_point(kernel::detail::sum(start, kernel::detail::scaled(all, exact(t))));
+      if (!wanted.empty()) try_point(kernel::sum(start, kernel::scaled(all, exact(t))));
   }
   add_windings(text, rows);
   return wanted.empty();

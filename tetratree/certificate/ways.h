@@ -17,7 +17,7 @@ namespace tetracone::tetratree {
 
 /// Appends a cover over the motion on lines from `start` to the poses of `pair`, and the windings at its start. The
 /// cover leaves out the last time, at which the surfaces may touch. `inside` is the body whose shells are inside of the
-/// other one; -1 where all are outside. True where it holds.
+/// other one; -1 where all are outside. False where either is not so; the text is of no use then.
 inline bool leads_free(std::string& text, const Placed_pair::Poses& start, const Placed_pair& pair, int inside)
 {
   constexpr double shortest = 0x1p-16;  // of intervals: a way that needs shorter ones is given up
@@ -29,7 +29,8 @@ inline bool leads_free(std::string& text, const Placed_pair::Poses& start, const
   return add_all_windings(text, moving.at(0), inside == 0, inside == 1);
 }
 
-/// Returns a point near the mean of the corners of placed body k, and a length like the body's.
+/// Returns a point near the mean of the corners of placed body k, and a length like the body's. Both are 0 where
+/// doubles do not hold them.
 inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pair, std::size_t k)
 {
   const auto& corners = pair.body[k].groups->group({}).corners;
@@ -42,7 +43,7 @@ inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pa
   for (const std::uint32_t v : corners)
     for (std::size_t c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(at(v, c) - middle[c]));
   if (!std::isfinite(size)) return {};
-  return {{kernel::Rational(middle[0]), kernel::Rational(middle[1]), kernel::Rational(middle[2])}, size};
+  return {kernel::exact_point(middle), size};
 }
 
 /// True when m is a direction along which hull a ends where hull b begins, or before.
@@ -54,7 +55,8 @@ inline bool leads_between(const kernel::Exact_vector& m, const kernel::Hull& a, 
 /// A body and a pose near its own.
 using Start = std::pair<std::size_t, kernel::Pose>;
 
-/// Returns poses from which a body may come to its own: smaller, larger if it holds the other body, or aside.
+/// Returns poses from which a body may come to its own: smaller, larger if it holds the other body, or aside. `inside`
+/// is as for `leads_free`. `met` is a point that the bodies share at their poses.
 inline std::vector<Start> starts_of_ways(Placed_pair& pair, int inside, const Common_point& met)
 {
   std::vector<Start> starts;
@@ -73,20 +75,20 @@ inline std::vector<Start> starts_of_ways(Placed_pair& pair, int inside, const Co
       const auto [middle, length] = middle_of(pair, k);
       size = kernel::minimum(size, length);
       const kernel::Rational factor = inside == int(1 - k) ? 1 + share : 1 - share;
-      add(k, factor, {(1 - factor) * middle[0], (1 - factor) * middle[1], (1 - factor) * middle[2]});
+      add(k, factor, kernel::scaled(middle, kernel::Rational(1 - factor)));
     }
   for (const kernel::Exact_vector& m : parting_directions(pair.faces(met.piece))) {
     if (!leads_between(m, pair.body[0].hull(met.piece[0]), pair.body[1].hull(met.piece[1]))) continue;
     kernel::Rational_point aside = in_lowest_terms(rational(m));
-    const kernel::Rational longest = longest_part(aside);
+    const kernel::Rational longest = kernel::longest_part(aside);
     for (kernel::Rational& x : aside) x *= -kernel::Rational(size / 16) / longest;
     add(0, 1, aside);
   }
   return starts;
 }
 
-/// Appends a way of one body to its pose, if one of a few is free: the surfaces share no point before its end.
-/// `inside` is as for `leads_free`. `met` is a point that the bodies share at their poses.
+/// Appends a way of one body to its pose, if one of a few is free: the surfaces share no point before its end. `inside`
+/// and `met` are as for `starts_of_ways`. False, without a change of the text, where none is free.
 inline bool add_way(std::string& text, Placed_pair& pair, int inside, const Common_point& met)
 {
   for (const auto& [mover, from] : starts_of_ways(pair, inside, met)) {
@@ -102,7 +104,8 @@ inline bool add_way(std::string& text, Placed_pair& pair, int inside, const Comm
 }
 
 /// Appends a proof that the interiors share no point: a plane between the bodies, or a way of one without contact.
-/// `met` is a common point; where the surfaces share none, the way of a body that stays is free.
+/// `met` is a common point; where the surfaces share none, the way of a body that stays is free. False where no proof
+/// is found; the text is of no use then.
 inline bool add_parted(std::string& text, Placed_pair& pair, const std::optional<Common_point>& met)
 {
   if (met)

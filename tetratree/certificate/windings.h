@@ -11,8 +11,9 @@
 
 namespace tetracone::tetratree {
 
-/// Finds the winding number of a point in a body by a ray that meets no edge. Appends the ray, the number and the
-/// cover. Nothing where all rays that are tried meet edges, as from a point of the surface.
+/// Returns the winding number of a body about a point, by a ray that meets no edge. Appends the ray, the number and the
+/// cover. Returns nothing, without a change of the text, where all rays that are tried meet edges, as from a point of
+/// the surface.
 inline std::optional<int> add_winding(std::string& text, Covered_body& body, const kernel::Exact_vector& x,
                                       Random_integers& random)
 {
@@ -53,10 +54,11 @@ inline std::optional<int> add_winding(std::string& text, Covered_body& body, con
   return std::nullopt;
 }
 
+/// A row of `windings` as JSON, and its winding number.
 using Winding_row = std::pair<std::string, int>;
 
-/// Returns the winding number of a point in body `holder` as a row, and the number; nothing as `add_winding`. `of` has
-/// the point's key and value.
+/// Returns the row of a point x in body `holder`; nothing where `add_winding` finds nothing. `of` is the point's key
+/// and value as JSON.
 inline std::optional<Winding_row> winding_row(Placed_pair& pair, int holder, const std::string& of,
                                               const kernel::Exact_vector& x)
 {
@@ -69,6 +71,7 @@ inline std::optional<Winding_row> winding_row(Placed_pair& pair, int holder, con
   return Winding_row{row + '}', *number};
 }
 
+/// Appends rows as `windings`.
 inline void add_windings(std::string& text, const std::vector<std::string>& rows)
 {
   add_key(text, "windings");
@@ -81,7 +84,8 @@ inline const std::vector<Index>& shell_vertices(const Covered_body& body)
   return body.groups->tree().model().covering().shell_vertices();
 }
 
-/// Returns the row of a vertex of body k in the other one. Requires a vertex that is not on the other surface.
+/// Returns the row of a vertex of body k in the other one. Throws Error where no ray serves, as for a vertex on the
+/// other surface.
 inline Winding_row winding_of_vertex(Placed_pair& pair, int k, Index v)
 {
   auto row = winding_row(pair, 1 - k, "\"vertex\":" + std::to_string(v), pair.body[k].points.exact(v));
@@ -90,7 +94,7 @@ inline Winding_row winding_of_vertex(Placed_pair& pair, int k, Index v)
 }
 
 /// Appends the winding number of a vertex of each shell of both bodies. True where all shells of A are inside of B, or
-/// all outside, as `a_is_inside` says, and all shells of B by `b_is_inside`.
+/// all outside, as `a_is_inside` says, and all shells of B by `b_is_inside`. Requires surfaces that share no point.
 inline bool add_all_windings(std::string& text, Placed_pair& pair, bool a_is_inside = false, bool b_is_inside = false)
 {
   std::vector<std::string> rows;
@@ -105,7 +109,8 @@ inline bool add_all_windings(std::string& text, Placed_pair& pair, bool a_is_ins
   return found;
 }
 
-/// Appends the winding number of a vertex of body k that is inside of the other one. False where no shell is.
+/// Appends the winding number of a vertex of body k that is inside of the other one. False, without a change of the
+/// text, where no shell is. Requires surfaces that share no point.
 inline bool add_one_winding(std::string& text, Placed_pair& pair, int k)
 {
   for (const Index v : shell_vertices(pair.body[k])) {

@@ -32,7 +32,7 @@ using covering::Index;
 struct Found_piece {
   Index face_a, face_b;
   kernel::Piece kind;
-  kernel::Feature in_a, in_b;
+  kernel::Feature in_a, in_b;         ///< the smallest part of either face that holds the piece
   kernel::Triangle_contact by_signs;  ///< for two triangles; count 0: the piece is stored in rationals
   Index kept = 0;                     ///< its index in `Found_contacts::kept`
 };
@@ -41,7 +41,7 @@ struct Found_piece {
 struct Found_contacts {
   using Loops = std::vector<std::vector<kernel::Rational_point>>;
   std::vector<Found_piece> pieces;
-  std::vector<Loops> kept;
+  std::vector<Loops> kept;  ///< of pieces that signs do not describe
 };
 
 /// A face of A and a face of B. Corners are set for a triangle with a plane; otherwise the first corner is none.
@@ -56,6 +56,7 @@ struct Face_pair {
 /// A body's faces, prepared for tests of pairs. The polyhedron must outlive this object.
 class Contact_faces {
  public:
+  /// The faces of a polyhedron, and its covering.
   explicit Contact_faces(const covering::Polyhedron& polyhedron, const covering::Covering& covering)
       : polyhedron_(&polyhedron)
   {
@@ -116,6 +117,7 @@ class Face_pairs {
  public:
   using Body = covering::Placed_model<K>;
 
+  /// The faces of A and of B.
   Face_pairs(const Contact_faces& a, const Contact_faces& b) : a_(a), b_(b) {}
 
   /// Returns a pair of faces for the next functions.
@@ -137,7 +139,7 @@ class Face_pairs {
       for (const Face_pair& pair : pairs) by_signs(pair);
   }
 
-  /// Forgets the exact faces and signs of the last poses.
+  /// Forgets the exact faces and signs of the last poses. Call it after each change of a pose.
   void begin()
   {
     kept_sides_.clear();

@@ -30,7 +30,8 @@ struct Certified_file {
 ///     std::ofstream("proof.json") << certificate.text();
 ///
 /// Relations, exits, depths and first contacts that the search cannot prove are left out (`without_proof`). Other such
-/// answers throw Error, as do all answers whose proof needs triangles that a face lacks.
+/// answers throw Error. So do answers whose proof needs triangles that a face lacks, and answers about another number
+/// of bodies than the certificate has.
 class Certificate {
  public:
   /// For answers about one body. The bodies are written into the certificate, unless `name_file` names their files.
@@ -47,7 +48,7 @@ class Certificate {
   Certificate& operator=(Certificate&&) noexcept;
 
   /// Names the file of body 0 or 1, instead of writing the body. Requires that it holds the body's vertices, and that
-  /// no answer has been added.
+  /// no answer has been added. Throws Error for a body that the certificate has not.
   void name_file(std::size_t body, Certified_file file);
 
   /// Asks the query, and adds its answer. Where surfaces meet, the proof is the pair of faces at which the query ended.
@@ -68,20 +69,20 @@ class Certificate {
   /// Returns how many answers had no proof and were left out.
   std::size_t without_proof() const;
 
-  /// Adds what `Query::collide` answers.
+  /// Adds an answer of `Query::collide`.
   void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer);
-  /// Adds what `Query::nearest` answers.
+  /// Adds the distance by an answer of `Query::nearest`.
   void distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const Nearest& nearest);
-  /// Adds what `Query::within` answers for this limit. `nearest` is the answer of `Query::nearest`.
+  /// Adds an answer of `Query::within` for this limit. `nearest` is the answer of `Query::nearest`.
   void within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const std::string& limit,
               bool answer, const Nearest& nearest);
-  /// Adds the relation that `Query::solid_relation` answers; the dimension has no proof. True where it is proved:
+  /// Adds the relation of an answer of `Query::solid_relation`; the dimension has no proof. True where it is proved:
   /// disjoint, inside and contains always, the others where the search finds a proof. Else nothing is added. Solids
   /// that touch and do not overlap are proved where a plane is between them. They are also proved where a body that
   /// shrinks, grows or moves aside a little has no contact left. Equal solids are proved where they have the same
   /// faces, too.
   bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
-  /// Adds what `Query::exits` answers, as fractions. True where the search finds a proof. Else nothing is added. That
+  /// Adds an answer of `Query::exits`, as fractions. True where the search finds a proof. Else nothing is added. That
   /// no move before the first exit parts the solids is added where it is proved.
   bool exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction,
              const Exits& answer);
@@ -89,12 +90,12 @@ class Certificate {
   /// nothing is added. A lower bound is added where a search of boxes proves one. It is near that of the answer, and
   /// exact where the search closes all boxes.
   bool depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer);
-  /// Adds what `Query::first_contact` answers. True where it is proved. Else nothing is added, as for bodies that
+  /// Adds an answer of `Query::first_contact`. True where it is proved. Else nothing is added, as for bodies that
   /// graze.
   bool first_contact(const Motion& a, const Motion& b, Question question, const std::optional<First_contact>& answer);
-  /// Adds where a point of decimals or fractions is, as `Body::inside_text` answers.
+  /// Adds an answer of `Body::inside_text`: where a point of decimals or fractions is.
   void inside(const std::array<std::string, 3>& point, Location answer);
-  /// Adds what `Body::first_hit` answers.
+  /// Adds an answer of `Body::first_hit` for a ray up to `end`.
   void first_hit(const Ray& ray, const std::optional<Ray_hit>& answer,
                  double end = std::numeric_limits<double>::infinity());
 

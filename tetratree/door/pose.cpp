@@ -33,12 +33,7 @@ kernel::Pose checked(const std::array<double, 12>& rows)
 kernel::Pose checked(const std::array<std::string, 12>& rows)
 {
   std::array<kernel::Rational, 12> exact;
-  for (std::size_t k = 0; k < 12; ++k) {
-    const auto number = kernel::parse_number(rows[k]);
-    if (!number)
-      throw Error(entry(k) + " is '" + rows[k].substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
-    exact[k] = *number;
-  }
+  for (std::size_t k = 0; k < 12; ++k) exact[k] = kernel::required_number(rows[k], entry(k) + " is ");
   return not_flat(kernel::Pose(exact));
 }
 

@@ -90,9 +90,12 @@ class Bvh8_builder {
       }
   }
 
+  /// Returns how many cuts were made, and of which kind.
   const Cut_counts& cuts() const { return cuts_; }
+  /// Adds the cuts of a worker.
   void add_cuts(const Cut_counts& of_worker) { cuts_ += of_worker; }
 
+  /// Returns the bytes held, except scratch memory.
   std::size_t bytes() const { return centroids_->capacity() * sizeof(Centroid); }
 
  private:

@@ -18,15 +18,16 @@ namespace tetracone::tetratree {
 /// True when the first box of a pair is the larger one, which is opened.
 inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b; }
 
-/// A stack of pairs of boxes, one of each body, that may meet. A size is a `Bvh8_node::signed_size`, in the
-/// units of the second body.
+/// A stack of pairs of boxes, one of each body, that may meet. A size is a `Bvh8_node::signed_size`, in the units of
+/// the second body: negative for a leaf.
 class Pair_stack {
  public:
   std::size_t count() const { return count_; }
   bool empty() const { return count_ == 0; }
+  /// Return the boxes of the top pair. Require that there is one.
   Box_id box(int body) const { return Box_id::from_number(box_[body][count_ - 1]); }
   Box_ids boxes() const { return {box(0), box(1)}; }
-  /// Returns the body whose box is larger, which is opened.
+  /// Returns the body whose box is larger in the top pair. That box is opened.
   int larger_body() const { return first_is_larger(size(0), size(1)) ? 0 : 1; }
   float size(int body) const { return size_[body][count_ - 1]; }
 
@@ -70,7 +71,7 @@ class Pair_stack {
 
 /// The two bodies of a descent.
 struct Both_trees {
-  const Bvh8_node* nodes[2];
+  const Bvh8_node* nodes[2];       ///< all nodes of body k
   const kernel::Box_map* into[2];  ///< maps body k into the frame of the other
   float scale;                     ///< from the first body's units to the second's
 

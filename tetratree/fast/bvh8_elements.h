@@ -80,6 +80,7 @@ class Bvh8_elements {
   }
 
   const covering::Model<Adaptive>& model() const { return model_; }
+  /// Returns the local units: those of the covering's origin.
   const kernel::Local_scale& scale() const { return scale_; }
   Index count() const { return Index(elements_.size()); }
   const Element& operator[](Index e) const { return elements_[e]; }

@@ -27,6 +27,7 @@ class Corner_set {
     number_vertices(elements);
   }
 
+  /// Returns the corners, in the order in which elements first name them.
   std::span<const kernel::Vector> points() const { return points_; }
 
   /// Returns the corners of the k-th element, as numbers into `points`.

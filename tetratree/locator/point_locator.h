@@ -6,6 +6,7 @@
 #include "tetracone/kernel/bound/cone_probe.h"
 #include "tetracone/kernel/bound/cone_slab.h"
 #include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <algorithm>
 #include <array>
@@ -59,7 +60,7 @@ class Point_locator {
   }
   Point_locator(const Point_locator&) = delete;
 
-  /// Returns the location of a point.
+  /// Returns the location of a point. Requires finite coordinates.
   Location locate(const covering::Vertex& point) const
   {
     return locate(local(point), [&] { return K::unmoved(point); });
@@ -199,6 +200,7 @@ class Point_locator {
     return decide(asked, at, group) ? at : by_triangles(asked, group, exact);
   }
 
+  /// Writes a point and its cell.
   void ask(const kernel::Local_point& p, Asked& asked) const
   {
     // Stored one by one: a read of the whole right after writes of parts would stall on store forwarding.
@@ -270,8 +272,8 @@ class Point_locator {
     });
   }
 
-  template <class Exact>
   /// Returns the location of a point by triangles of a group, or by all.
+  template <class Exact>
   Location by_triangles(const Asked& asked, Index group, const Exact& exact) const
   {
     if (group == none) return locate_among_all(asked.at, exact);
@@ -311,8 +313,8 @@ class Point_locator {
     return {left & those, right & those, before & those, undecided & those};
   }
 
-  template <class Exact>
   /// Returns the location of a point by all triangles.
+  template <class Exact>
   Location locate_among_all(const kernel::Local_point& p, const Exact& exact) const
   {
     int winding = 0;
@@ -508,8 +510,7 @@ class Point_locator {
   int exact_crossing(const covering::Covering_triangle& t, const kernel::Local_point& direction) const
   {
     const kernel::Pose to_origin = kernel::Pose::translation(scale_.origin[0], scale_.origin[1], scale_.origin[2]);
-    const K::Point_3 p =
-        K::placed({direction[0] * scale_.unit, direction[1] * scale_.unit, direction[2] * scale_.unit}, to_origin);
+    const K::Point_3 p = K::placed(kernel::scaled(direction, scale_.unit), to_origin);
     const auto corner = [&](int k) { return model_->point(t.corner[k]); };
     const K::Point_3& o = model_->origin();
     const kernel::Sign volume = kernel::volume_sign<K>(o, corner(0), corner(1), corner(2));

@@ -59,13 +59,14 @@ class Bvh8_front {
 
   /// True when there is a front.
   bool holds() const { return holds_; }
+  /// Returns the entries, for tests.
   const Front_entries& entries() const { return entries_; }
 
   /// Returns a lower bound of the gap of an entry, in A's local units, in the last pose that was asked. It is not above
-  /// 0 if nothing is known.
+  /// 0 if nothing is known. It serves tests.
   double gap(std::size_t k) const { return entries_.gap(k); }
 
-  /// Returns the number of poses since the front was made.
+  /// Returns the number of poses since the front was made, for tests.
   std::size_t poses_followed() const { return poses_followed_; }
 
   std::size_t bytes() const { return entries_.bytes() + expired_.capacity() * sizeof(std::uint32_t); }
@@ -103,8 +104,8 @@ class Bvh8_front {
   /// policy's pause.
   bool is_to_be_made() { return policy_.makes_front(); }
 
-  /// Makes a front by a descent from the root. True when leaf_gap(boxes), a Leaf_gap, finds elements that meet.
-  /// Requires `is_certifiable`.
+  /// Makes a front by a descent from the root. leaf_gap(boxes) returns the Leaf_gap of a pair of leaves. True when
+  /// elements meet. Requires `is_certifiable`. `stack` is scratch memory.
   template <class Gap>
   bool make(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b, const Gap& leaf_gap)
   {
@@ -124,7 +125,8 @@ class Bvh8_front {
     return meet;
   }
 
-  /// Brings the front to the present pose. True when elements meet; nothing when the front has been given up.
+  /// Brings the front to the present pose. True when elements meet; nothing when the front has been given up. Requires
+  /// `holds`, and arguments as `make`.
   template <class Gap>
   std::optional<bool> follow(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b, const Gap& leaf_gap)
   {

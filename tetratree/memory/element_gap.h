@@ -11,11 +11,10 @@
 
 namespace tetracone::tetratree {
 
-/// A lower bound of the distance of two triangles, in A's local units; 0 if unknown. If it is above 0, they are that
-/// far apart along `axis`, of length 1, from A to B.
+/// A lower bound of the distance of two triangles.
 struct Element_gap {
-  double low = 0;
-  kernel::Double_vector axis{};
+  double low = 0;                ///< the bound, in A's local units; 0 if unknown
+  kernel::Double_vector axis{};  ///< of length 1, from A to B; if `low` is above 0, they are that far apart along it
 };
 
 /// Upper bound of the sum of magnitudes of a row of a similarity, in units of its scale: rows are as long as columns.

@@ -91,7 +91,7 @@ class Front_entries {
     return double(until_[k]) - (double(rate_[k]) * steps_before_ + strayed_before_);
   }
 
-  /// Sets the remaining gap now, in A's local units, and its loss per step.
+  /// Sets the remaining gap now, in A's local units, and its loss per step. Without a rate, that is the pace.
   void set_gap(std::size_t k, double gap, double rate)
   {
     rate_[k] = float(rate) * kernel::rounded_up;
@@ -108,7 +108,7 @@ class Front_entries {
   Certificate& certificate(std::size_t k) { return certificates_[k]; }
   const Certificate& certificate(std::size_t k) const { return certificates_[k]; }
 
-  /// Arrays and sums that `expired` reads.
+  /// Return the arrays and sums that `expired` reads.
   const float* until() const { return until_.data(); }
   const float* rates() const { return rate_.data(); }
   float steps() const { return float(steps_); }
@@ -141,6 +141,7 @@ class Front_entries {
     }
     return certificates_[count_];
   }
+  /// Adds an entry with its remaining gap, and the pace as its rate.
   void add(const Front_entry& entry, double gap)
   {
     next();
@@ -216,8 +217,8 @@ inline std::size_t keep_by_axes(const Certifying& certifying, std::uint32_t* ask
   return fastest(certifying, asked, count, least);
 }
 
-/// Asks the node entries of `asked` again. Lanes that are no longer apart are pushed; the others are certified anew,
-/// and an entry may be left without lanes. Lowers `least` to the least gap.
+/// Asks the node entries of `asked` again. Lanes that are no longer apart are pushed to the stack. The others are
+/// certified anew, and an entry may be left without lanes. Lowers `least` to the least gap.
 inline void open_again(Pair_stack& stack, Both_trees& trees, const Certifying& certifying, const std::uint32_t* asked,
                        std::size_t count, double& least)
 {

@@ -33,6 +33,7 @@ struct Depth_bracket {
 };
 
 /// The boxes of a search: why none of them has a translation that parts the solids and is shorter than the lower bound.
+/// `Depth_search::prove` fills it.
 struct Depth_proof {
   enum class Reason : std::uint8_t {
     too_long,   ///< its translations are no shorter than the lower bound
@@ -43,28 +44,28 @@ struct Depth_proof {
   };
   struct Node {
     Reason reason = Reason::too_long;
-    std::array<std::uint32_t, 2> of{};
+    std::array<std::uint32_t, 2> of{};  ///< see `Reason`
   };
 
-  double most = 0;  ///< half the side of the first node's box, a cube about 0
-  std::vector<Node> nodes;
-  std::array<std::vector<Ball>, 2> balls;  ///< inside of A and of B
+  double most = 0;                         ///< half the side of the first node's box, a cube about 0
+  std::vector<Node> nodes;                 ///< the first one is the cube's; none where nothing is known
+  std::array<std::vector<Ball>, 2> balls;  ///< inside of A and of B; the caller gives them
 };
 
 /// How narrow a bracket is asked for, and for how much work.
 struct Depth_limits {
   double relative = 1e-9;           ///< the bracket's width over its upper end at which the search ends
-  std::size_t most_boxes = 100000;  ///< boxes of translations that are looked at
+  std::size_t most_boxes = 100000;  ///< the most boxes of translations that are looked at
 };
 
 /// The least translation of A after which the interiors of A and B share no point.
 ///
-/// Let P be the set of translations after which they do; it is open. Exits along directions give translations that are
-/// not in P, the shortest of which is the upper bound. The lower bound comes from boxes of translations, nearest to 0
-/// first. A box is done where the shortest translation that is not in P is not in it:
+/// Let P be the set of translations after which they share one; it is open. Exits along directions give translations
+/// that are not in P, the shortest of which is the upper bound. The lower bound comes from boxes of translations,
+/// nearest to 0 first. A box is done where the shortest translation that is not in P is not in it:
 ///
-/// - A ball inside A meets a ball inside B for all translations of the box. One of them is about a point of the other
-///   body (`Inner_balls`).
+/// - A ball inside A overlaps a ball inside B for all translations of the box. One of the two stands for its body. The
+///   other is the largest about the first one's centre (`Inner_balls`).
 /// - Two pieces, as of `Seen_solid`, cross for all translations inside their `Crossing_polytope`; so these are in P.
 /// - No two pieces meet for any translation of the box. The shortest translation that is not in P is on the border of
 ///   P, since 0 is in P. There the surfaces touch.
@@ -72,8 +73,11 @@ struct Depth_limits {
 /// Any other box is halved. The length of the nearest open box's translations is the lower bound. If none is left, the
 /// upper bound is the least. That happens where the shortest translations end at planes that are perpendicular to them:
 /// half-spaces are compared exactly with the ball of all shorter translations.
+///
+/// One object serves many poses of two bodies, and one thread.
 class Depth_search {
  public:
+  /// A and B, and balls inside of them, by trees of the same faces.
   Depth_search(Seen_solid a, Seen_solid b, Inner_balls in_a, Inner_balls in_b)
       : solid_{std::move(a), std::move(b)}, inner_{std::move(in_a), std::move(in_b)}
   {}
@@ -84,8 +88,8 @@ class Depth_search {
     std::vector<kernel::Rational_point> normals;  ///< of planes in which it lies
   };
 
-  /// Returns the bracket. exit(d) returns the exit along d, and meet(v) tells whether v is in P. `map_a` and `map_b`
-  /// are the poses as matrices. Requires that 0 is in P.
+  /// Returns the bracket. exit(d) returns the `Exit` along d, and meet(v) tells whether v is in P. `map_a` and `map_b`
+  /// are the poses as row-major 3x4 matrices. Requires that 0 is in P.
   template <class Leave, class Meet>
   Depth_bracket operator()(const std::array<kernel::Rational, 12>& map_a, const std::array<kernel::Rational, 12>& map_b,
                            const Leave& exit, const Meet& meet, const Depth_limits& limits)
@@ -110,9 +114,9 @@ class Depth_search {
     return found_;
   }
 
-  /// Returns the bracket whose upper end is a translation that is known to part the solids, and fills the proof of its
-  /// lower end. The proof uses the given balls alone, and no face that another one of its body meets. Its nodes are
-  /// none where nothing is known. Requires that 0 is in P.
+  /// Returns the bracket whose upper end is `vector`, a translation that is known to part the solids. It fills the
+  /// proof of its lower end. The proof uses the balls that it is given, and no face that another one of its body meets.
+  /// It has no nodes where nothing is known. Requires that 0 is in P.
   Depth_bracket prove(const std::array<kernel::Rational, 12>& map_a, const std::array<kernel::Rational, 12>& map_b,
                       const kernel::Rational_point& vector, const Depth_limits& limits, Depth_proof& proof)
   {
@@ -133,7 +137,7 @@ class Depth_search {
     return found_;
   }
 
-  /// Returns the balls that stand for A, or for B, at a pose.
+  /// Returns the balls that stand for A, or for B, at a pose. They are valid until the next question.
   const std::vector<Ball>& balls(bool of_b, const std::array<kernel::Rational, 12>& map)
   {
     inner_[of_b].see(map);
@@ -182,8 +186,7 @@ class Depth_search {
     {
       const kernel::detail::Allowed<kernel::Rational> allowed(axis, search->solid_[0].exactly(*a),
                                                               search->solid_[1].exactly(*b));
-      const auto n = direction(axis);
-      return {{n[0], n[1], n[2]}, sign > 0 ? allowed.high : allowed.low};
+      return {direction(axis), sign > 0 ? allowed.high : allowed.low};
     }
 
     /// True when the plane of a half-space n . v < limit does not cut the open ball of all shorter translations.
@@ -212,20 +215,16 @@ class Depth_search {
       found_.vector = found.vector;
       radius_ = std::nextafter(kernel::nearest_root(square), HUGE_VAL);
       ++round_;
-      for (kernel::Rational_point n : found.normals) {
-        if (kernel::dot(n, found.vector) < 0)
-          for (kernel::Rational& x : n) x = -x;
-        directions.push_back(n);
-      }
+      for (const kernel::Rational_point& n : found.normals)
+        directions.push_back(kernel::dot(n, found.vector) < 0 ? kernel::negated(n) : n);
     }
   }
 
   /// Returns the direction with a largest component of 1 or -1, so that equal ones are equal.
   static kernel::Rational_point scaled(kernel::Rational_point d)
   {
-    kernel::Rational largest = 0;
-    for (const kernel::Rational& x : d) largest = abs(x) > largest ? kernel::Rational(abs(x)) : largest;
-    for (kernel::Rational& x : d) x /= largest;
+    const kernel::Rational longest = kernel::longest_part(d);
+    for (kernel::Rational& x : d) x /= longest;
     return d;
   }
 
@@ -261,7 +260,7 @@ class Depth_search {
       if (proof_) proof_->nodes[next.node] = closed;
       if (closed.reason != Reason::halved) continue;
       if (!proof_ && next.halvings % halvings_a_question == 0 && next.least > 0) {
-        const kernel::Rational_point v = centre(next.box);
+        const kernel::Rational_point v = kernel::exact_point(next.box.centre);
         if (kernel::dot(v, v) < found_.square && !meet(v)) leave(v, exit);
         if (next.halvings >= least_halvings && next.halvings % halvings_a_corner == 0)
           leave_by_corners(next.box, *near, exit, meet);
@@ -354,8 +353,9 @@ class Depth_search {
     return std::nullopt;
   }
 
-  /// Returns the radii together: of a ball inside a body, and `about`, that of the largest ball about its centre inside
-  /// the other. A is translated. It is a lower bound where `about` is above 0, else an estimate.
+  /// Returns the sum of two radii: of a ball inside a body, and of the largest ball about its centre inside the other
+  /// one. The second radius is written to `about`. A is translated. The sum is a lower bound where `about` is above 0,
+  /// else an estimate.
   double radius_sum(bool of_b, const Ball& ball, const std::array<double, 3>& translation, double& about)
   {
     std::array<double, 3> at = ball.centre;
@@ -377,7 +377,8 @@ class Depth_search {
     int sign;
   };
 
-  /// Returns the point of one to three planes n . v = limit that is nearest to 0; nothing where they are parallel.
+  /// Returns the common point of one to three planes n . v = limit that is nearest to 0. Returns nothing where normals
+  /// are not independent.
   template <class N>
   static std::optional<std::array<N, 3>> nearest_to_0(std::span<const std::pair<std::array<N, 3>, N>> planes)
   {
@@ -444,11 +445,6 @@ class Depth_search {
     }
   }
 
-  static kernel::Rational_point centre(const Box& box)
-  {
-    return {kernel::Rational(box.centre[0]), kernel::Rational(box.centre[1]), kernel::Rational(box.centre[2])};
-  }
-
   /// Returns the numbers of the polytopes of two leaves: from the first to before the last. Nothing where there is no
   /// room for more, or a proof cannot name a face.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> polytopes_of(const Box_ids& box)
@@ -486,17 +482,20 @@ class Depth_search {
 
   /// Halvings of a box between two questions whether its centre is in P.
   static constexpr unsigned halvings_a_question = 3;
-  /// Halvings of a box before corners in it are tried, and between two tries; at most `most_planes` planes take part.
-  static constexpr unsigned least_halvings = 18, halvings_a_corner = 9;
+  /// Halvings of a box before corners in it are tried.
+  static constexpr unsigned least_halvings = 18;
+  /// Halvings of a box between two such tries.
+  static constexpr unsigned halvings_a_corner = 9;
+  /// The most planes whose corners are tried in a box.
   static constexpr std::size_t most_planes = 8;
-  /// Halvings of a box in a proof: 2^-32 of each side of the first one.
+  /// The most halvings of a box in a proof. Its sides are 2^-32 of the first one's then.
   static constexpr unsigned most_halvings_of_proof = 96;
-  /// Planes nearer than this, as a share, are taken for one when corners are sought.
+  /// Planes are taken for one, when corners are sought, if their normals and limits differ by less than this share.
   static constexpr double same_plane = 0x1p-30;
   /// A pair of boxes is opened while their size together is at least this multiple of the box of translations. The
   /// polytopes of smaller ones cannot hold it.
   static constexpr double pairs_a_box = 2;
-  /// Polytopes that are kept, of some 1 kB each. Without the others the bracket may stay wider.
+  /// The most polytopes that are kept, of some 1 kB each. Without the others the bracket may stay wider.
   static constexpr std::size_t most_polytopes = 300000;
 
   std::array<Seen_solid, 2> solid_;
@@ -506,11 +505,12 @@ class Depth_search {
   std::vector<Box_ids> pairs_;                                                            // to be opened
   std::set<kernel::Rational_point> corners_;                                              // that were tried
   std::set<kernel::Rational_point> tried_;                                                // directions
-  double radius_ = 0, most_ = 0;
-  unsigned round_ = 0;
+  double radius_ = 0;   // of the ball that is searched: an upper bound of the shortest known translation
+  double most_ = 0;     // half the side of the first box
+  unsigned round_ = 0;  // how often the radius has been set
   Depth_bracket found_;
   std::size_t boxes_left_ = 0;
-  Depth_proof* proof_ = nullptr;  // that is filled
+  Depth_proof* proof_ = nullptr;  // that is filled; null for a bracket alone
 };
 
 }  // namespace tetracone::tetratree

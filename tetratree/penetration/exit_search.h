@@ -19,9 +19,10 @@
 
 namespace tetracone::tetratree {
 
-/// How far a solid must rise to leave another one.
+/// How far a solid must rise to leave another one, as heights in a view.
 struct Exit_heights {
-  kernel::Rational first, last;
+  kernel::Rational first;  ///< the least rise at which the interiors share no point
+  kernel::Rational last;   ///< the least rise from which on they share none
 };
 
 /// The rises of A, along z of a view, at which the interiors of A and B share a point.
@@ -42,8 +43,11 @@ struct Exit_heights {
 /// Otherwise fractions decide. From a rise in F the search goes to the largest `high` of a pair that has the rise
 /// between its ends. If there is no such pair, the relation of the solids at that rise decides, and the search goes to
 /// the least `high` above it.
+///
+/// One object serves many views of two bodies, and one thread.
 class Exit_search {
  public:
+  /// A and B.
   Exit_search(Seen_solid a, Seen_solid b) : solid_{std::move(a), std::move(b)} {}
 
   /// Returns the exits. `map_a` and `map_b` lead from the bodies' coordinates into the view. meet(s) tells whether the
@@ -81,16 +85,15 @@ class Exit_search {
     return {at, last};
   }
 
-  /// A part of the way to the first exit.
+  /// Rises from one to another, and two faces that go through one another at all rises between these.
   struct Stretch {
     kernel::Rational from, to;
-    std::optional<std::array<Index, 2>> faces;  ///< plain triangles that go through one another at all rises between
-                                                ///< the ends; nothing where no surfaces are known to meet there
-    bool starts_there;                          ///< the triangles do not do so at `from` yet
+    std::optional<std::array<Index, 2>> faces;  ///< of A and of B; nothing where no faces are known to do so
+    bool starts_there;                          ///< the faces begin to do so at `from`; else they do so there, too
   };
 
-  /// Returns stretches from 0 to the first exit, of which each ends where the next one starts. Requires what the search
-  /// requires, and the exit that it returns.
+  /// Returns stretches from 0 to the first exit, of which each ends where the next one starts. Their faces are plain
+  /// triangles. Requires what the search requires, and the first exit that it returns.
   std::vector<Stretch> stretches(const std::array<kernel::Rational, 12>& map_a,
                                  const std::array<kernel::Rational, 12>& map_b, const kernel::Rational& first)
   {
@@ -113,9 +116,8 @@ class Exit_search {
     return all;
   }
 
-  /// Returns pairs of triangles that go through one another at all rises from a lower one to an exit, and at none
-  /// above it. They are at most `most_pairs`, each with its stretch. Requires what the search requires, and an exit
-  /// that it returns.
+  /// Returns stretches that end at an exit, by pairs of pieces that share no point above it. They are at most
+  /// `most_pairs`. Requires what the search requires, and an exit that it returns.
   std::vector<Stretch> stretches_before(const std::array<kernel::Rational, 12>& map_a,
                                         const std::array<kernel::Rational, 12>& map_b, const kernel::Rational& exit,
                                         std::size_t most_pairs)
@@ -153,12 +155,14 @@ class Exit_search {
     return kernel::directions_at(solid_[0].exactly(*last_pair_[0]), solid_[1].exactly(*last_pair_[1]), last_high_);
   }
 
+  /// Returns the counts of work since the last `clear_counts`.
   const Query_statistics& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
 
  private:
   using Rational = kernel::Rational;
 
+  /// Two boxes that are to be opened.
   struct Pair {
     double key;  // the least comes first
     Box_ids box;
@@ -183,7 +187,8 @@ class Exit_search {
     Box_ids box;
   };
 
-  /// Returns an enclosure of the shift range of two pieces. Requires upward rounding, and pieces that are bounded.
+  /// Returns an enclosure of the shift range of two pieces, by rounded numbers where these decide. Requires upward
+  /// rounding, and pieces that are bounded.
   static kernel::Shift_range<kernel::Interval> enclosed(const Seen_piece& a, const Seen_piece& b)
   {
     kernel::Shift_range<kernel::Interval> range(a.rounded, b.rounded);
@@ -380,6 +385,7 @@ class Exit_search {
     return found;
   }
 
+  /// Takes the candidate's `high` as the one that is found.
   void note(const Candidate& c, std::optional<Rational>& found)
   {
     found = last_high_ = *c.exact;
@@ -407,6 +413,7 @@ class Exit_search {
     }
   }
 
+  /// Adds a pair of boxes that may share a place in the view. False where `key` leaves it out, or they share none.
   template <class Key>
   bool push(const Box_ids& box, const Key& key)
   {

@@ -6,6 +6,7 @@
 #include "tetracone/kernel/number/interval.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/locator/point_locator.h"
 #include "tetracone/tetratree/query/bvh8_points.h"
@@ -27,8 +28,8 @@ struct Ball {
   double radius;
 };
 
-/// Keeps the largest balls, at most `most`. It leaves out each ball that sticks out of a kept one by less than a share
-/// of that one's radius.
+/// Returns the largest of some balls, at most `most`, the largest first. It leaves out each ball that sticks out of a
+/// kept one by less than `share` times that one's radius.
 inline std::vector<Ball> largest_balls(std::vector<Ball> balls, std::size_t most, double share)
 {
   std::ranges::sort(balls, [](const Ball& x, const Ball& y) { return x.radius > y.radius; });
@@ -46,15 +47,17 @@ inline std::vector<Ball> largest_balls(std::vector<Ball> balls, std::size_t most
   return kept;
 }
 
-/// Balls inside a solid about any point, and some that stand for the solid, in the coordinates of a view.
+/// Balls inside a solid about any point, and some that stand for the solid, in the coordinates of a view. A view is an
+/// affine map x -> M x + t.
 ///
-/// A ball about an inner point has the distance to the surface as its radius, which `Bvh8_points` tells. A view M makes
-/// a vector of length r at least r s long, where s^2 is the least eigenvalue of M^T M. By Gershgorin's theorem that is
-/// no less than a diagonal entry, less the magnitudes of the others of its row. A centre's error shortens the radius.
-/// One object serves one thread.
+/// A ball about an inner point has the distance to the surface as its radius, which `Bvh8_points` bounds. M makes a
+/// vector of length r at least r s long, where s^2 is the least eigenvalue of M^T M. By Gershgorin's theorem that is no
+/// less than a diagonal entry, less the magnitudes of the others of its row. A centre's error shortens the radius. One
+/// object serves one thread.
 class Inner_balls {
  public:
-  /// Requires a closed surface. All must outlive this object.
+  /// Finds the balls that stand for the solid, at points of a grid. Requires a closed surface, and the tree and the
+  /// locator of one body. Both must outlive this object.
   Inner_balls(const Bvh8& tree, const Point_locator& locator) : locator_(&locator), points_(tree)
   {
     std::array<double, 3> low, high;
@@ -78,7 +81,7 @@ class Inner_balls {
     own_ = largest_balls(std::move(balls), most_balls, least_share);
   }
 
-  /// Sets the view: a row-major 3x4 matrix from the body's coordinates.
+  /// Sets the view: a row-major 3x4 matrix from the body's coordinates, with det M != 0.
   void see(const std::array<kernel::Rational, 12>& map)
   {
     const CGAL::Protect_FPU_rounding<true> upward;
@@ -106,9 +109,9 @@ class Inner_balls {
     for (const Ball& ball : own_) {
       Ball image;
       double error = 0;
+      const std::array<kernel::Interval, 3> about = kernel::image(ball.centre, m);
       for (std::size_t k = 0; k < 3; ++k) {
-        const kernel::Interval x =
-            m[4 * k] * ball.centre[0] + m[4 * k + 1] * ball.centre[1] + m[4 * k + 2] * ball.centre[2] + m[4 * k + 3];
+        const kernel::Interval& x = about[k];
         image.centre[k] = x.inf() / 2 + x.sup() / 2;
         error += kernel::maximum(x.sup() - image.centre[k], image.centre[k] - x.inf());
       }
@@ -117,11 +120,12 @@ class Inner_balls {
     }
   }
 
-  /// Returns the balls that stand for the solid. There is none where the view has no bound.
+  /// Returns the balls that stand for the solid, in the view. There is none where the view has no bound.
   const std::vector<Ball>& seen() const { return seen_; }
 
-  /// Returns a lower bound of the radius of the largest ball about a point that is inside the solid. It is not above 0
-  /// where the point is not inside, or nothing is known. Then it is minus an estimate of the distance to the surface.
+  /// Returns a lower bound of the radius of the largest ball inside the solid about a point, both in the view. It is
+  /// not above 0 where the point is not inside, or nothing is known. Then it is minus an estimate of the distance to
+  /// the surface.
   double radius_about(const std::array<double, 3>& point)
   {
     covering::Vertex own;
@@ -147,9 +151,9 @@ class Inner_balls {
     return locator_->locate(x) == covering::Location::inside ? distance : -distance;
   }
 
-  static constexpr int grid = 16;  // points along the longest side of the solid's box
-  static constexpr std::size_t most_balls = 64;
-  static constexpr double least_share = 0.125;  // of a ball's radius, by which others stick out
+  static constexpr int grid = 16;                // points along the longest side of the solid's box
+  static constexpr std::size_t most_balls = 64;  // that stand for the solid
+  static constexpr double least_share = 0.125;   // of a ball's radius, by which others stick out
 
   const Point_locator* locator_;
   Bvh8_points points_;

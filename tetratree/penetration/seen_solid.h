@@ -7,6 +7,7 @@
 #include "tetracone/kernel/contact/face_cells.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/contact/shift_range.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
 
@@ -25,12 +26,12 @@ namespace tetracone::tetratree {
 
 /// A convex part of a face, in the coordinates of a view.
 struct Seen_piece {
-  kernel::Convex_piece<kernel::Interval> about;
+  kernel::Convex_piece<kernel::Interval> about;                 ///< enclosed
   kernel::Rounded_piece rounded;                                ///< of a piece that is bounded
   std::optional<kernel::Convex_piece<kernel::Rational>> exact;  ///< nothing until it is needed
   bool is_bounded;                                              ///< the numbers of `about` are far from overflow
   Index face;
-  std::size_t cell;  ///< of a face that is not a plain triangle
+  std::size_t cell;  ///< its number among the pieces of a face that is not a plain triangle
 };
 
 /// Things by their number, made on demand. They stay in their place until all are forgotten. Then their memory is used
@@ -38,6 +39,7 @@ struct Seen_piece {
 template <class Thing>
 class Numbered_things {
  public:
+  /// Forgets all things.
   void forget()
   {
     ++round_;
@@ -77,14 +79,14 @@ class Numbered_things {
 /// the solid, or not at all.
 class Seen_solid {
  public:
-  /// `tree` has the faces of `polyhedron` as elements. All must outlive this object.
+  /// `tree` has the faces of `polyhedron` as elements, and `sides` are of it. All must outlive this object.
   Seen_solid(const Bvh8& tree, const covering::Polyhedron& polyhedron, const Solid_sides& sides)
       : tree_(&tree), polyhedron_(&polyhedron), sides_(&sides), box_view_(std::array<kernel::Rational, 12>(), {})
   {}
 
   const Bvh8& tree() const { return *tree_; }
 
-  /// Sets the view: a row-major 3x4 matrix from the body's coordinates.
+  /// Sets the view: a row-major 3x4 matrix from the body's coordinates. Boxes and pieces of the last one are forgotten.
   void see(const std::array<kernel::Rational, 12>& map)
   {
     map_ = map;
@@ -94,7 +96,7 @@ class Seen_solid {
     pieces_.forget();
   }
 
-  /// Returns the view of a box.
+  /// Returns a box of the tree in the view.
   const kernel::View_box& box(Box_id id)
   {
     return boxes_(id.node(), [&](auto& boxes) { boxes = box_view_(tree_->node_of(id).boxes); })[std::size_t(id.lane())];
@@ -120,7 +122,7 @@ class Seen_solid {
     });
   }
 
-  /// Returns a piece in rationals.
+  /// Returns a piece of the present view in rationals.
   const kernel::Convex_piece<kernel::Rational>& exactly(Seen_piece& piece)
   {
     if (!piece.exact) piece.exact = is_plain(piece.face) ? triangle(piece.face, map_) : seen(cell(piece));
@@ -167,11 +169,7 @@ class Seen_solid {
   Rational_piece seen(const Rational_piece& local) const
   {
     Rational_piece piece = local;
-    for (int k = 0; k < piece.count; ++k)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const kernel::Rational_point row = {map_[4 * i], map_[4 * i + 1], map_[4 * i + 2]};
-        piece.corner[k][i] = kernel::dot(row, local.corner[k]) + map_[4 * i + 3];
-      }
+    for (int k = 0; k < piece.count; ++k) piece.corner[k] = kernel::image(local.corner[k], map_);
     return piece;
   }
 
@@ -211,8 +209,8 @@ class Seen_solid {
   std::map<Index, std::vector<Rational_piece>> cells_;                  // of faces that are not plain
 };
 
-/// Calls compare(piece of A, piece of B) for the pieces of two leaves, or add(boxes) for the parts of the larger of two
-/// boxes.
+/// Calls compare(piece of A, piece of B) for all pieces of two leaves. For other boxes, it calls add(boxes) with each
+/// part of the larger one; a leaf is not opened.
 template <class Add, class Compare>
 void open_pair(std::array<Seen_solid, 2>& solid, const Box_ids& box, const Add& add, const Compare& compare)
 {

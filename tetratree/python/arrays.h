@@ -17,11 +17,11 @@
 /// Python's arrays, converted for the door. No number is rounded on the way: a number that is no double becomes a text.
 namespace tetracone::python {
 
-/// Returns the error with `to` in place of `from`, where its line begins with `from`.
+/// Returns the error, with `to` in place of `from` where its line begins with `from`.
 Error renamed(const Error& error, std::string_view from, const std::string& to);
 
-/// Returns how many answers two counts ask for, where one of either serves all of the other. Throws Error for others:
-/// "ABOUT: N FIRST and M SECOND; expected as many, or one of either".
+/// Returns how many answers n and m arguments ask for, where one of either serves all of the other. Throws Error for
+/// other counts: "ABOUT: N FIRST and M SECOND; expected as many, or one of either".
 std::size_t common_count(const std::string& about, std::size_t n, const std::string& first, std::size_t m,
                          const std::string& second);
 
@@ -36,15 +36,16 @@ class Numbers {
   Numbers(const pybind11::handle& values, std::string name);
 
   const std::string& name() const { return name_; }
+  /// Return the number of dimensions, and the size of one.
   std::size_t dimensions() const { return shape_.size(); }
   std::size_t extent(std::size_t dimension) const { return shape_[dimension]; }
   /// Returns the shape as a text, "(10, 3, 4)".
   std::string shape() const;
 
+  /// True when the numbers are texts, since some are no doubles.
   bool is_exact_text() const { return exact_; }
 
-  /// Returns the address of the first double. `stride` returns the bytes from one index to the next. Both require
-  /// doubles.
+  /// Return the address of the first double, and the bytes from one index of a dimension to the next. Require doubles.
   const char* data() const { return data_; }
   std::ptrdiff_t stride(std::size_t dimension) const { return strides_[dimension]; }
 
@@ -87,7 +88,7 @@ class Numbers {
 template <std::size_t width>
 class Rows {
  public:
-  /// Messages call the array `name` and a row `one`. Throws Error for another shape, and as `Numbers`.
+  /// Takes an array. Messages call it `name`, and a row `one`. Throws Error for another shape, and as `Numbers`.
   Rows(const pybind11::object& values, const std::string& name, const std::string& one)
       : name_(name), numbers_(values, name)
   {
@@ -99,11 +100,13 @@ class Rows {
     is_one_ = dimensions == 1;
   }
 
+  /// True for one row (width,).
   bool is_one() const { return is_one_; }
   std::size_t count() const { return is_one_ ? 1 : numbers_.extent(0); }
+  /// True when rows are texts: see `Numbers`.
   bool is_exact_text() const { return numbers_.is_exact_text(); }
 
-  /// Returns row `k` of doubles, and of texts. Needs no interpreter's lock.
+  /// Return row `k`: `row` of doubles, `text` of texts. Need no interpreter's lock.
   std::array<double, width> row(std::size_t k) const
   {
     std::array<double, width> row;
@@ -129,7 +132,8 @@ class Rows {
 /// Poses of one body: an array (n, 3, 4) or (n, 4, 4), or one pose (3, 4) or (4, 4), or None for the identity.
 class Poses {
  public:
-  /// Throws Error for another shape, and as `Numbers`. Numbers that are no pose are refused when the pose is asked for.
+  /// Takes an array, which messages call `name`. Throws Error for another shape, and as `Numbers`. Numbers that are no
+  /// pose are refused when the pose is asked for.
   Poses(const pybind11::object& values, const std::string& name);
 
   /// True for one pose and None.

@@ -41,15 +41,16 @@ static_assert(sizeof(Word<8>) == 4 * 8);
 /// Makes Python's fractions.Fraction of texts "n/d" and "n", which may have any number of digits.
 class Python_fraction {
  public:
+  /// Returns the fraction of a text.
   pybind11::object operator()(const std::string& text) const;
 
  private:
   pybind11::object make_ = pybind11::module_::import("fractions").attr("Fraction");
 };
 
-/// Returns the text that the door reads as exactly this number. It is a text itself, the shortest decimal of a float,
-/// and else "n/d". The denominator 1 is written too, since a decimal would be rounded. For a value that is no number it
-/// is "a TYPE", for messages.
+/// Returns the text that the door reads as exactly this number. A text stays as it is, a float becomes its shortest
+/// decimal, and any other number "n/d". The denominator 1 is written too, since a decimal would be rounded. A value
+/// that is no number becomes "a TYPE", for messages.
 std::string exact_text(const pybind11::handle& value);
 
 /// Returns a file's name from str, bytes or os.PathLike, of any bytes except 0. Throws Error for a text that names no

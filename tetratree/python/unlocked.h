@@ -17,8 +17,8 @@ struct No_lock {
 inline No_lock no_lock;
 
 /// Calls each(0) .. each(count - 1) without the interpreter's lock. It holds the lock `own`, and never waits for `own`
-/// while it holds the interpreter's. Ctrl-C raises KeyboardInterrupt; it is looked for between chunks of calls, at most
-/// ten times a second.
+/// while it holds the interpreter's. Ctrl-C raises KeyboardInterrupt. It is looked for between chunks of 256 calls, at
+/// most ten times a second, and not at all for one call.
 template <class Lock, class Each>
 void for_each_unlocked(std::size_t count, Lock& own, const Each& each)
 {

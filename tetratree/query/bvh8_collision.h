@@ -55,6 +55,7 @@ enum class Coherence {
 template <class K = kernel::Adaptive>
 class Bvh8_collision {
  public:
+  /// A query over the trees' own kernel and models.
   Bvh8_collision(const Bvh8& a, const Bvh8& b,
                  Coherence coherence = Coherence::none) requires std::is_same_v<K, kernel::Adaptive>
       : Bvh8_collision(a, a.model(), b, b.model(), coherence)
@@ -90,7 +91,8 @@ class Bvh8_collision {
     return relation_by_trees(pose_a, pose_b, question, memory);
   }
 
-  /// Calls what(element of A, element of B) for each pair that the descent does not discard.
+  /// Calls what(element of A, element of B) for each pair that the descent does not discard. Requires det M != 0 of
+  /// both poses.
   template <class What>
   void for_element_pairs(const Pose& pose_a, const Pose& pose_b, const What& what)
   {
@@ -140,6 +142,7 @@ class Bvh8_collision {
   /// Returns, after `apart`, a lower bound of the distance by the plane between the bodies; 0 if none was found.
   double certified_gap() const { return is_plane_tried_ ? separating_direction_.gap() : 0; }
 
+  /// Returns the counts of work since the last `clear_counts`.
   const Query_statistics& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
 

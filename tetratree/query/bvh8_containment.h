@@ -15,7 +15,8 @@
 
 namespace tetracone::tetratree {
 
-/// Decides whether a solid holds a shell of another body, through its `Bvh8`.
+/// Decides whether a solid holds a shell of another body, through its `Bvh8`. Both bodies must be placed, with their
+/// frames related. Work is added to `counts`.
 ///
 /// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). A tetrahedron can count only
 /// if its face is met by the ray from the vertex away from the covering's origin. The tree finds these, and the signs
@@ -56,11 +57,7 @@ class Bvh8_containment {
   using Face = covering::Placed_face<K>;
 
   /// Returns the vertex in the holder's local units.
-  static Row image(const Placed& held, Index v)
-  {
-    const kernel::Vector at = held.tree->local(v);
-    return held.into_other.frame()(Row{at[0], at[1], at[2]});
-  }
+  static Row image(const Placed& held, Index v) { return held.into_other.frame()(held.tree->local(v).at); }
 
   /// True when p is surely outside the root's box, and false if anything is undefined. A point of the box is c + sum_i
   /// s_i a_i with |s_i| <= e_i. With axes of defect d, |a_i . (p - c)| <= e_i + 3 d (1 + 4 d) |p - c|_1; the fourth d
@@ -136,7 +133,7 @@ class Bvh8_containment {
   /// `slack` covers both.
   static kernel::Single_box beyond(const Row& p, double error)
   {
-    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    const double length = std::sqrt(kernel::dot(p, p));
     kernel::Single_box box{};
     if (!(length > 0x1p20 * error) || !(length < 0x1p20)) {
       for (int i = 0; i < 3; ++i) {
@@ -156,7 +153,7 @@ class Bvh8_containment {
     return box;
   }
 
-  std::vector<Index> nodes_;
+  std::vector<Index> nodes_;  // scratch memory
 };
 
 }  // namespace tetracone::tetratree

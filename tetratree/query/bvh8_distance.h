@@ -161,10 +161,11 @@ class Bvh8_distance {
   /// verify/proofs/nearest_proofs.h.
   static constexpr double distance_rounding = 8 * kernel::unit_roundoff<double>;
   /// A square up to this gives no lower bound.
-  static constexpr double
-      least_square = 0x1p-1000,
-      most_unseen = 0x1p-490;  ///< upper bound of its root and of underflow; proved in verify/proofs/nearest_proofs.h
+  static constexpr double least_square = 0x1p-1000;
+  /// Upper bound of its root and of underflow. Proved in verify/proofs/nearest_proofs.h.
+  static constexpr double most_unseen = 0x1p-490;
 
+  /// Returns the counts of work since the last `clear_counts`.
   Query_statistics counts() const
   {
     Query_statistics all = collision_.counts();
@@ -175,6 +176,7 @@ class Bvh8_distance {
     collision_.clear_counts();
     counts_ = {};
   }
+  /// Returns the bytes that it keeps between questions, except the trees'.
   std::size_t bytes() const { return collision_.bytes(); }
 
  private:
@@ -556,7 +558,7 @@ class Bvh8_distance {
     for (std::size_t k = 0; k < 3; ++k) n[k] = best.exact->direction[k].to_double();
     return is_behind(0, best.a, best.gap.of_a, pair.a, n,
                      [&](Index v) { return kernel::dot(best.exact->direction, exact_[0](v)) <= best.exact->low; }) &&
-           is_behind(1, best.b, best.gap.of_b, pair.b, {-n[0], -n[1], -n[2]},
+           is_behind(1, best.b, best.gap.of_b, pair.b, kernel::negated(n),
                      [&](Index v) { return kernel::dot(best.exact->direction, exact_[1](v)) >= best.exact->high; });
   }
 
@@ -617,7 +619,7 @@ class Bvh8_distance {
     const auto found = kernel::enclosed_distance(enclosed_corners(0, element(0, best.a), best.gap.of_a),
                                                  enclosed_corners(1, element(1, best.b), best.gap.of_b));
     if (!found) return std::nullopt;
-    const kernel::Double_vector &n = found->direction, back = {-n[0], -n[1], -n[2]};
+    const kernel::Double_vector &n = found->direction, back = kernel::negated(n);
     const auto is_exactly = [](Index) { return false; };
     for (const Candidate& pair : candidates_)
       if (!is_behind(0, best.a, best.gap.of_a, pair.a, n, is_exactly) ||
@@ -701,9 +703,10 @@ class Bvh8_distance {
   std::uint64_t place_ = 0;  // the number of the present placement
   std::array<std::array<Placed_triangle, slots>, 2> triangles_;
   std::vector<Candidate> candidates_;
-  kernel::Double_vector along_{};                   // from A's point to B's, of the pair with the least upper bound
-  double high_ = 0, nearest_ = 0, low_limit_ = -1;  // least upper bound of the distance; least computed distance; lower
-                                                    // bound of the limit, or -1
+  kernel::Double_vector along_{};  // from A's point to B's, of the pair with the least upper bound
+  double high_ = 0;                // least upper bound of the distance
+  double nearest_ = 0;             // least computed distance
+  double low_limit_ = -1;          // lower bound of the limit; -1 without one
   std::optional<std::pair<Leaf_element, Leaf_element>> last_;  // the nearest pair in the last pose
   Query_statistics counts_;
 };

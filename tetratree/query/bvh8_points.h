@@ -5,6 +5,7 @@
 #include "tetracone/kernel/bound/point_triangle.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/nearest_root.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/enclosed_distance.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 
@@ -76,8 +77,8 @@ class Bvh8_points {
     }
   }
 
-  /// Returns a lower bound of the distance, which is off by few roundings; 0 where coordinates are too large to bound.
-  /// Requires finite coordinates.
+  /// Returns a lower bound of the distance, up to few roundings; 0 where coordinates are too large to bound. Requires
+  /// finite coordinates.
   double lower_bound(const covering::Vertex& x)
   {
     search(x, 0);
@@ -107,7 +108,7 @@ class Bvh8_points {
   using Rational_point = kernel::Rational_point;
 
   struct Open {
-    float square;
+    float square;  // lower bound of the squared distance, in local units
     Index node;
   };
   /// An element that may be the nearest.
@@ -120,11 +121,7 @@ class Bvh8_points {
   const covering::Vertex& vertex(Index v) const { return tree_->model().vertices()[v]; }
 
   /// Returns a vertex relative to the point, in local units: two roundings.
-  kernel::Double_vector relative(Index v) const
-  {
-    const covering::Vertex& at = vertex(v);
-    return {(at[0] - x_[0]) * per_unit_, (at[1] - x_[1]) * per_unit_, (at[2] - x_[2]) * per_unit_};
-  }
+  kernel::Double_vector relative(Index v) const { return kernel::scaled(kernel::difference(vertex(v), x_), per_unit_); }
 
   /// Collects the elements that may be nearest to the point. Its coordinates have an error of at most `error`.
   void search(const covering::Vertex& x, double error)
@@ -305,7 +302,7 @@ class Bvh8_points {
   /// direction. Then no other point is as near.
   bool are_others_behind(const std::array<double, 3>& direction, const std::array<Index, 3>& ends, int count) const
   {
-    const kernel::Double_vector back = {-direction[0], -direction[1], -direction[2]}, on = relative(ends[0]);
+    const kernel::Double_vector back = kernel::negated(direction), on = relative(ends[0]);
     for (const Candidate& candidate : candidates_) {
       if (candidate.element->is_whole_face()) return false;
       for (const Index v : candidate.element->corner) {
@@ -337,8 +334,7 @@ class Bvh8_points {
     const auto add = [&](const Rational_point& point) { add_nearest(nearest, x, point); };
     if (face.has_plane()) {
       const Rational share = face.beyond(x) / kernel::dot(face.normal(), face.normal());
-      Rational_point foot;
-      for (std::size_t k = 0; k < 3; ++k) foot[k] = x[k] - share * face.normal()[k];
+      const Rational_point foot = kernel::difference(x, kernel::scaled(face.normal(), share));
       if (face.locate(foot) != kernel::Feature::none) {
         add(foot);
         return nearest;
@@ -379,11 +375,12 @@ class Bvh8_points {
     return {nearest[0].first, nearest[0].second, first, nearest.size() == 1};
   }
 
-  /// Upper bound of the relative error of a coordinate of `relative`: a difference is rounded.
+  /// Upper bound of the relative error of a coordinate of `relative`: a difference is rounded. It is counted by hand,
+  /// as are the next two (verify/proofs/other_constants.h).
   static constexpr double relative_error = 2 * kernel::unit_roundoff<double>;
-  /// Upper bound of what rounding loses by underflow.
+  /// Upper bound of what rounding a coordinate loses by underflow.
   static constexpr double least_double = 0x1p-1074;
-  /// Upper bound of what a vertex may be beyond its box, whose local units are rounded, and of the error of `local_`.
+  /// Upper bound of the distance of a vertex from its box, whose local units are rounded, and of the error of `local_`.
   static constexpr double box_error = 0x1p-50;
 
   const Bvh8* tree_;

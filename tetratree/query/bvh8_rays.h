@@ -189,7 +189,7 @@ class Bvh8_rays {
   }
 
   /// True when what begins at s, in local units, is beyond the first face. The margin covers the errors of entries and
-  /// times, each at most 2^-16.
+  /// times, each at most 2^-16. It is counted by hand (verify/proofs/other_constants.h).
   bool is_beyond(float s) const { return s > farthest_ + 0x1p-14; }
 
   /// Opens a node. All its lanes are met if there is no local ray.

@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/face_distance.h"
 
 #include <array>
@@ -12,7 +13,8 @@
 
 namespace tetracone::tetratree {
 
-/// The exact images of a body's vertices, times a weight that two bodies share. Each is computed on first use.
+/// The exact images of a body's vertices, times a weight that two bodies share. Each is computed on first use. One
+/// object serves one thread.
 class Exact_vertices {
  public:
   /// The vertices must outlive this object.
@@ -20,7 +22,8 @@ class Exact_vertices {
       : vertices_(&vertices), place_(vertices.size(), none)
   {}
 
-  /// Sets the body's pose; `other` places the body that shares the weight. `pose` must live until the next call.
+  /// Sets the body's pose; `other` places the body that shares the weight. `pose` must outlive all use until the next
+  /// call.
   void place(const kernel::Pose& pose, const kernel::Pose& other)
   {
     for (const std::uint32_t v : found_) place_[v] = none;
@@ -51,16 +54,11 @@ class Exact_vertices {
 
   kernel::Exact_vector image(const covering::Vertex& v)
   {
-    using Number = kernel::Exact_number;
     if (!has_entries_) {
       for (int k = 0; k < 12; ++k) entry_[k] = is_weighted_ ? pose_->whole(k) * others_weight_ : pose_->whole(k);
       has_entries_ = true;
     }
-    const Number x(v[0]), y(v[1]), z(v[2]);
-    const auto row = [&](int i) -> Number {
-      return entry_[i] * x + entry_[i + 1] * y + entry_[i + 2] * z + entry_[i + 3];
-    };
-    return {row(0), row(4), row(8)};
+    return kernel::image(v, entry_);
   }
 
   const std::vector<covering::Vertex>* vertices_;
@@ -68,8 +66,8 @@ class Exact_vertices {
   kernel::Exact_number others_weight_ = 1;
   bool is_weighted_ = false, has_entries_ = false;
   std::array<kernel::Exact_number, 12> entry_;
-  std::vector<std::uint32_t> place_, found_;  // place_: the number of each vertex's image; found_: the vertices that
-                                              // have one
+  std::vector<std::uint32_t> place_;  // the number of each vertex's image, or `none`
+  std::vector<std::uint32_t> found_;  // the vertices that have one
   std::deque<kernel::Exact_vector> images_;
 };
 

@@ -44,7 +44,7 @@ struct First_meeting {
 /// A part of a span of time.
 enum class Span_part { first_half, second_half, whole };
 
-/// Returns the corners of an element, in local points.
+/// Returns these vertices, the corners of an element, in local units.
 inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::array<Index, 3>& corner)
 {
   std::array<kernel::Vertex, 3> corners;
@@ -55,11 +55,7 @@ inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::
 /// Returns a box of a tree, as its centre and its axes times its extents.
 inline kernel::Moving_box hull_of(const Bvh8_node& node, int lane)
 {
-  kernel::Moving_box hull{kernel::centre_of(node.boxes, lane), {}};
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k)
-      hull.half_edge[i][k] = double(node.boxes.axis[i][k][lane]) * double(node.boxes.extent[i][lane]);
-  return hull;
+  return {kernel::centre_of(node.boxes, lane), kernel::half_edges_of(node.boxes, lane)};
 }
 
 /// A cache of answers by number, which `forget` empties at once.
@@ -200,7 +196,7 @@ class Moving_feature_search {
     return *motion_;
   }
 
-  /// Upper bound of the time of the first contact so far; infinite if there is none, -infinity after `end`.
+  /// Returns an upper bound of the time of the first contact so far; infinite if there is none, -infinity after `end`.
   double before() const { return best_before_; }
   /// Returns the first contact so far, or nothing if there is none, and forgets it.
   std::optional<First_meeting> take_first() { return std::exchange(best_, std::nullopt); }
@@ -214,11 +210,11 @@ class Moving_feature_search {
     latest_ = span.share_before(best_before_);
   }
 
-  /// Upper bound of the time of the first contact so far, as a fraction of the span.
+  /// Returns an upper bound of the time of the first contact so far, as a fraction of the span.
   double latest() const { return latest_; }
 
-  /// Adds two elements. Requires that within this part of the span they do not meet outside `times`, from 0 to 1 over
-  /// it.
+  /// Adds two elements. Requires that within this part of the span they do not meet outside `times`, which run from 0
+  /// to 1 over the part.
   void meet(Span_part part, const kernel::Time_window& times, const Element& of_a, const Element& of_b)
   {
     for_triangles(0, of_a, [&](const Triangle& a) {
@@ -235,7 +231,7 @@ class Moving_feature_search {
   /// True when anything waits to be decided.
   bool is_any_undecided() const { return !candidates_.empty(); }
 
-  /// Decides everything that may meet before this fraction of the span.
+  /// Decides all pairs that may meet before this fraction of the span.
   void decide_until(double share)
   {
     while (!candidates_.empty() && candidates_.front().from() <= share) decide_front();
@@ -260,8 +256,10 @@ class Moving_feature_search {
     return is_any_plane([&](Parted_boxes& plane) { return plane.holds(0, box[0]) && plane.holds(1, box[1]); });
   }
 
+  /// Returns which stage decided how many pairs, for tests.
   const Motion_stages& stages() const { return stages_; }
 
+  /// Returns the counts of work since the last `clear_counts`.
   const Query_statistics& counts() const { return counts_; }
   void clear_counts()
   {

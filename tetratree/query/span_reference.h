@@ -37,6 +37,7 @@ class Span_reference {
  public:
   using Vertex = kernel::Vertex;
 
+  /// The reference of a span. It is of use where `is_certifiable`.
   explicit Span_reference(const kernel::Motion_span& span)
   {
     const auto& middle = span.at_middle();
@@ -93,7 +94,7 @@ class Span_reference {
   /// in verify/proofs/reference_proofs.h.
   static constexpr double most_local = 4;
 
-  /// Upper bound of the loss of a gap by the rest and by rounding, wherever the bodies are, in common units.
+  /// Returns an upper bound of the loss of a gap by the rest and by rounding, wherever the bodies are, in common units.
   double rest() const { return rest_; }
 
  private:
@@ -159,7 +160,7 @@ class Span_reference {
     return kernel::Motion_span::each_entry([&](double a, double b) { return by_x * a + by_y * b; }, x, y);
   }
 
-  /// Upper bound of the relative displacement of two points under these maps.
+  /// Returns an upper bound of the relative displacement of two points under these maps.
   static double norm(const Placing& x)
   {
     return std::sqrt(dot(x.offset, x.offset)) + most_local * (norm(x.row[0]) + norm(x.row[1]));
@@ -188,9 +189,9 @@ class Span_reference {
   std::array<kernel::Box_sweep, 2> sweep_;
   double rest_ = 0;
   std::array<double, 2> scale_;   // the length of a column
-  std::array<Rows, 2> rotation_,  // R_k
-      direction_;  // R_k over the length of a column: a gap g along a direction in local units is g times that length
-                   // along its image
+  std::array<Rows, 2> rotation_;  // R_k
+  // R_k over the length of a column: a gap g along a direction in local units is g times that length along its image.
+  std::array<Rows, 2> direction_;
   bool is_certifiable_ = true;
 };
 

@@ -5,6 +5,8 @@
 #include "tetracone/kernel/contact/crossing_cones.h"
 #include "tetracone/kernel/contact/integer_placing.h"
 #include "tetracone/kernel/number/interval.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/face_contact.h"
 #include "tetracone/tetratree/contact/face_pairs.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -31,6 +32,7 @@ class Interval_placing {
  public:
   using Number = Interval;
 
+  /// The origin is near a placed vertex of A. Requires solids with a vertex.
   Interval_placing(const std::array<const Placed_solid*, 2>& solids)
   {
     for (int body = 0; body < 2; ++body)
@@ -51,7 +53,7 @@ class Interval_placing {
     return kernel::image(v, map_[body]);
   }
 
-  std::array<double, 3> origin{};
+  std::array<double, 3> origin{};  ///< taken from all coordinates
 
  private:
   std::array<std::array<Interval, 12>, 2> map_;
@@ -97,8 +99,8 @@ class Crossing_overlap {
     return cones.sums.value(placing.scale, whole);
   }
 
-  Placing placing;
-  kernel::Crossing_cones<N> cones;
+  Placing placing;                  ///< which coordinates the sums have
+  kernel::Crossing_cones<N> cones;  ///< the sums
 
  private:
   using Crossing = kernel::Edge_crossing<N>;
@@ -264,7 +266,8 @@ struct Overlap_enclosure {
   kernel::Number_point<Interval> centroid = {0, 0, 0};
 };
 
-/// Returns enclosures of the volume and the centroid; nothing where intervals do not suffice. Requires `is_general`.
+/// Returns enclosures of the volume and the centroid of the overlap of two placed solids; nothing where intervals do
+/// not suffice. Requires `is_general`.
 inline std::optional<Overlap_enclosure> enclosed_overlap(const Placed_solid& a, const Placed_solid& b,
                                                          const Found_contacts& found,
                                                          const Is_vertex_inside& is_vertex_inside)

@@ -33,6 +33,7 @@ struct Normal_sides {
 /// A solid under a pose, in rationals. The polyhedron, sides and locator that it is made of must outlive it.
 class Placed_solid {
  public:
+  /// All three are of one body.
   Placed_solid(const covering::Polyhedron& polyhedron, const Solid_sides& sides, const Point_locator& locator)
       : polyhedron_(&polyhedron), sides_(&sides), locator_(&locator)
   {}
@@ -78,12 +79,9 @@ class Placed_solid {
   /// plane of that normal, and hold x in their inside.
   Normal_sides sides_at(const Rational_point& x, const Rational_point& normal) const
   {
-    int axis = 0;
     Rational_point height;  // of the images of the model's axes, along the normal
-    for (int k = 0; k < 3; ++k) {
-      height[k] = dot(map().column(k), normal);
-      if (abs(height[k]) > abs(height[axis])) axis = k;
-    }
+    for (int k = 0; k < 3; ++k) height[k] = dot(map().column(k), normal);
+    const int axis = kernel::largest_axis(height);
     const covering::Sides sides = covering::sides(*polyhedron_, map().inverse(x), axis);
     return height[axis] > 0 ? Normal_sides{sides.above, sides.below} : Normal_sides{sides.below, sides.above};
   }

@@ -42,8 +42,8 @@ struct Seen_cell {
 
 /// How much two solids overlap and touch.
 struct Solid_overlap {
-  kernel::Exact_solid all;
-  Rational_point contact_vector = {0, 0, 0};
+  kernel::Exact_solid all;                    ///< the overlap's volume and centroid
+  Rational_point contact_vector = {0, 0, 0};  ///< the sum of areas of contact times A's outward unit normal
   std::vector<Rational> squared_areas;  ///< for each face of A that touches B, of its area on B; each point counts once
 };
 
@@ -60,6 +60,7 @@ class Solid_pair {
  public:
   using Loops = std::vector<std::vector<Rational_point>>;
 
+  /// A and B.
   Solid_pair(Placed_solid a, Placed_solid b) : solid_{std::move(a), std::move(b)} {}
 
   /// Places the solids. Requires that `pieces` are all that the placed surfaces share.
@@ -103,7 +104,7 @@ class Solid_pair {
     return pieces_.empty() && !shares_point ? disjoint : meet;
   }
 
-  /// Returns how much the solids overlap and touch.
+  /// Returns how much the solids overlap and touch. Requires `place`.
   ///
   /// A region's volume is the sum of the cones over the cells that bound it (JS08 Theorem 1). A cell bounds the overlap
   /// where one of its sides is in both solids, and the other is not.
@@ -131,7 +132,7 @@ class Solid_pair {
   }
 
   /// Calls what(corners) for convex parts of faces that together bound the overlap, each once. Corners are
-  /// anticlockwise as seen from outside the overlap; of four, two may be equal.
+  /// anticlockwise as seen from outside the overlap; of four, two may be equal. Requires `place`.
   template <class What>
   void for_border_parts(const What& what)
   {

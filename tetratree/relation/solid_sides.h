@@ -11,10 +11,7 @@
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <span>
 #include <utility>
@@ -39,10 +36,10 @@ inline void add_cuts(const kernel::Rational_face& p, const kernel::Rational_face
 
 /// Which sides of the faces of one body are in its solid. A side is in the solid where its winding number is not 0.
 ///
-/// A triangle is *plain* if it has area, and no other face meets it but in a vertex or an edge of both (by
-/// coordinates). Then no face divides its sides. Two plain triangles have equal sides, and belong to one *patch*, where
-/// they share an edge in opposite directions. No other face may have that edge. One point decides the sides of a patch.
-/// Every other face is cut into cells by those that meet it. One point of each cell decides its sides.
+/// A triangle is *plain* if it has area, and other faces meet it only in vertices or edges of both (by coordinates).
+/// Then no face divides its sides. Two plain triangles have equal sides, and belong to one *patch*, where they share an
+/// edge in opposite directions. No other face may have that edge. One point decides the sides of a patch. Every other
+/// face is cut into cells by those that meet it. One point of each cell decides its sides.
 class Solid_sides {
  public:
   /// A face's sides. `front` is the side from which its corners are anticlockwise.
@@ -78,6 +75,7 @@ class Solid_sides {
 
   /// Returns the place of a vertex, a number below `place_count`. Vertices of equal coordinates have one place.
   Index place(Index v) const { return place_[v]; }
+  /// Returns the number of vertices.
   std::size_t place_count() const { return place_.size(); }
 
   /// Returns the least n >= 0 such that all coordinates times 2^n are integers.

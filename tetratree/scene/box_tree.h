@@ -43,6 +43,7 @@ class Box_tree {
     new_ = worn_ = {};
   }
 
+  /// True when the tree holds the item.
   bool holds(Item item) const { return item < place_.size() && place_[item] != no_place; }
   /// Returns the number of items of the last `build`, including those removed since.
   std::size_t count() const { return count_; }
@@ -85,6 +86,7 @@ class Box_tree {
     for (std::uint32_t place = place_[item]; place != no_place && !is_marked(place); place = node_of(place).parent)
       node_of(place).marked |= bit_of(place);
   }
+  /// Takes the mark off an item.
   void unmark(Item item)
   {
     for (std::uint32_t place = place_[item]; place != no_place; place = node_of(place).parent)
@@ -134,7 +136,8 @@ class Box_tree {
     return opened;
   }
 
-  /// Records the cost of searches. The first ones after a build are the standard for later ones.
+  /// Records that this many searches have opened this many nodes. The first searches after a build are the standard for
+  /// later ones.
   void count_searches(std::size_t searches, std::size_t opened)
   {
     Searches& now = new_.count < count_ ? new_ : worn_;

@@ -57,11 +57,12 @@ class Pair_list {
     std::uint32_t other;
   };
 
+  /// Returns the number of pairs.
   std::size_t count() const { return pairs_.size() - free_.size(); }
   Near_bodies& bodies(Number pair) { return bodies_[pair]; }
   const Near_bodies& bodies(Number pair) const { return bodies_[pair]; }
 
-  /// Returns the memory of a pair; makes it if there is none.
+  /// Returns the memory of a pair; makes it if there is none. The reference is valid until the next call.
   Asked_pair& asked(Number number)
   {
     std::uint32_t& place = pairs_[number].asked;
@@ -100,6 +101,7 @@ class Pair_list {
     }
   }
 
+  /// Sets the number of bodies. Requires that bodies left out have no pair.
   void set_body_count(std::size_t bodies) { of_.resize(bodies); }
 
   /// Reserves memory for `pairs` pairs and half as many more, since wide boxes will find some.
@@ -140,6 +142,7 @@ class Pair_list {
     return number;
   }
 
+  /// Removes a pair, and drops its memory. Its number may be given to a new pair.
   void remove(Number number)
   {
     forget(number);
@@ -179,6 +182,7 @@ class Pair_list {
   /// Returns the bytes of all memories, as last counted.
   std::size_t memory_bytes() const { return memory_bytes_; }
 
+  /// Returns the bytes of all lists, and of all memories as last counted.
   std::size_t bytes() const
   {
     return pairs_.capacity() * sizeof(Near_pair) + bodies_.capacity() * sizeof(Near_bodies) +

@@ -54,6 +54,7 @@ class Scene_models {
   void give_back(Number model);
 
   const std::string& name(Number model) const { return models_[model].name; }
+  /// Return the bytes of a model's body and tree, as far as they are made, and those of all models.
   std::size_t bytes(Number model) const;
   std::size_t bytes() const;
   /// Returns the number of nodes of all trees, including trees that were given back.
@@ -84,6 +85,7 @@ class Scene_worker {
  public:
   using Number = Scene_models::Number;
 
+  /// Both must outlive this object.
   Scene_worker(const Scene_models& models, const Scene_options& options) : models_(&models), options_(&options) {}
 
   /// Returns the query of two models. Several threads may call it only for bodies that are made. `method` is tree or
@@ -97,6 +99,7 @@ class Scene_worker {
   /// Drops the queries and the table of this model.
   void forget(Number model);
 
+  /// Returns an upper bound of the bytes of the queries and the tables, except the bodies'.
   std::size_t bytes() const;
 
   /// Bytes of a table of reaches.

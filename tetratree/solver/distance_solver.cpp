@@ -1,8 +1,8 @@
 #include "tetracone/tetratree/door/distance_solver.h"
 
-#include "tetracone/kernel/contact/corner_point.h"
-#include "tetracone/kernel/contact/direction_view.h"
 #include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/query/bvh8_distance.h"

@@ -83,7 +83,7 @@ inline Proved_bounds cone_proofs()
   // A model's coordinates, and the plane of a triangle.
   const Double of_model(Rational(1), off);
   const std::array<Double, 3> corner = {of_model, of_model, of_model};
-  const auto normal = Facet::normal_of(std::array{corner, corner, corner});
+  const auto normal = kernel::normal_of(std::array{corner, corner, corner});
   add("Local_facet::normal_error", "cone_cells.h", Facet::normal_error, normal[0].error, 1.61);
   const Double facet_normal(normal[0].most, Rational(Facet::normal_error));
   add("Local_facet::offset_error", "cone_cells.h", Facet::offset_error,
