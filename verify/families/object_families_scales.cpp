@@ -247,6 +247,23 @@ static Touching in_the_middle(Random& random, const Shape& a, const Shape& b)
   return {a.body, b.body, moved(composed(scaling(0x1p-5), any_turn(random)), middle), middle};
 }
 
+/// B in the middle of A, or in contact with it.
+static Touching inside_or_on(Random& random, const Shape& a, const Shape& b, bool is_inside)
+{
+  if (is_inside) return in_the_middle(random, a, b);
+  const Pose turn = any_turn(random);
+  return any_contact(random, a, b, turn);
+}
+
+/// A at the identity and B at `relative`, moved by `common`. Vertices are stretched by powers of two, which poses undo.
+static Object_case stretched(const Shape& a, const std::array<int, 3>& of_a, const Shape& b,
+                             const std::array<int, 3>& of_b, const Pose& relative, const Pose& common)
+{
+  const auto back = [](const std::array<int, 3>& e) { return stretch({-e[0], -e[1], -e[2]}); };
+  const Pose pose_a = composed(common, back(of_a)), pose_b = composed(common, composed(relative, back(of_b)));
+  return {moved_copy(a, of_a), moved_copy(b, of_b), pose_a, pose_b, {}, {}, {}};
+}
+
 /// Blocks whose vertices are stretched along their axes by up to 2^size. Their poses undo that before a turn, a contact
 /// or a place inside, and a map of both.
 static std::vector<Object_case> stretched_blocks(Random& random, int size, int count)
@@ -257,30 +274,17 @@ static std::vector<Object_case> stretched_blocks(Random& random, int size, int c
       for (int& e : result) e = size * integer(random, -1, 1);
     return result;
   };
-  const auto negative = [](const std::array<int, 3>& e) { return std::array{-e[0], -e[1], -e[2]}; };
   std::vector<Object_case> cases;
   const Shape& a = small_block(random);
   const Shape& b = small_block(random);
   const std::array<int, 3> of_a = exponents(), of_b = exponents();
   for (int k = 0; k < count; ++k) {
-    Touching contact;
-    if (random.bits() % 4 == 0) {
-      contact = in_the_middle(random, a, b);
-    } else {
-      const Pose turn = any_turn(random);
-      contact = any_contact(random, a, b, turn);
-    }
+    Touching contact = inside_or_on(random, a, b, random.bits() % 4 == 0);
     const bool is_contact = contact.separated;
     const Rational gap = is_contact ? any_gap(random) : Rational(0);
     if (is_contact) contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
     const Pose common = wild_map(random, size);
-    Object_case c{moved_copy(a, of_a),
-                  moved_copy(b, of_b),
-                  composed(common, stretch(negative(of_a))),
-                  composed(common, composed(contact.relative, stretch(negative(of_b)))),
-                  {},
-                  {},
-                  {}};
+    Object_case c = stretched(a, of_a, b, of_b, contact.relative, common);
     if (is_contact && gap >= 0) c = with_answer(c, gap == 0);
     cases.push_back(perhaps_rounded(random, c));
   }
@@ -310,29 +314,16 @@ Object_case tiny_fractions(Random& random, double parameter)
       for (int& e : result) e = size * integer(random, -1, 1);
     return result;
   };
-  const auto back = [](const std::array<int, 3>& e) { return stretch({-e[0], -e[1], -e[2]}); };
   const Shape& a = small_block(random);
   const Shape& b = small_block(random);
   const std::array<int, 3> of_a = exponents(), of_b = exponents();
   const bool is_inside = random.bits() % 4 == 0;
-  Touching contact;
-  if (is_inside) {
-    contact = in_the_middle(random, a, b);
-  } else {
-    const Pose turn = any_turn(random);
-    contact = any_contact(random, a, b, turn);
-  }
+  Touching contact = inside_or_on(random, a, b, is_inside);
   const Rational gap = is_inside ? Rational(0) : any_gap(random);
   if (!is_inside) contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
   const std::array smaller = {0, integer(random, 25, 125), integer(random, 900, 1080)};
   const Pose common = fraction_map(random, -smaller[random.bits() % 3]);
-  const Object_case c{moved_copy(a, of_a),
-                      moved_copy(b, of_b),
-                      composed(common, back(of_a)),
-                      composed(common, composed(contact.relative, back(of_b))),
-                      {},
-                      {},
-                      {}};
+  const Object_case c = stretched(a, of_a, b, of_b, contact.relative, common);
   if (is_inside || gap < 0) return c;
   return gap == 0 ? with_answer(c, true) : contact.separated ? with_answer(c, false) : c;
 }

@@ -40,8 +40,7 @@ Predicate_case covering_apex(Random& random, double position)
       const int a = integer(random, -2, 6), b = integer(random, -2, 6);
       return in_plane(v, Rational(a) / 4, Rational(b) / 4);
     };
-    const int corners = integer(random, 1, 3);
-    Scene scene{v, element_point(random, v, corners, 4), {}, {}};
+    Scene scene{v, element_point(random, v, integer(random, 1, 3), 4), {}, {}};
     complete(random, scene);
     scene.q = position == 0 ? on_plane()
                             : between(v[1], v[2], position == 1 ? Rational(integer(random, -4, 8)) / 4 : Rational(0));

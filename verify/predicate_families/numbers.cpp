@@ -40,8 +40,7 @@ Predicate_case far_from_origin(Random& random, double f)
   return settled([&] {
     // Points in quarters: doubles even at 2^50. They are far off themselves, or their poses put them there.
     const Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    const Point x = element_point(random, v, corners, 2);
+    const Point x = element_point(random, v, integer(random, 1, 3), 2);
     Frames frames;
     if (one_in(random, 2))
       frames.b = frames.a = Pose::translation(-t[0], -t[1], -t[2]);
@@ -83,8 +82,7 @@ Predicate_case cancelled_translation(Random& random, double f)
   const double far = std::ldexp(1.0, static_cast<int>(f));
   return settled([&]() -> std::optional<Predicate_case> {
     const Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    const Point x = element_point(random, v, corners, 2);
+    const Point x = element_point(random, v, integer(random, 1, 3), 2);
     const std::array t = {sign(random) * far, integer(random, -1, 1) * far, integer(random, -1, 1) * far};
     const Pose away = Pose::translation(t[0], t[1], t[2]);
     Frames frames;
@@ -140,8 +138,7 @@ Predicate_case extreme_exponents(Random& random, double kind)
   if (kind < 2) {
     Predicate_case c = settled([&]() -> std::optional<Predicate_case> {
       const Tetra v = tetrahedron(random, 64);
-      const int corners = integer(random, 1, 3);
-      const Point x = element_point(random, v, corners, 4);
+      const Point x = element_point(random, v, integer(random, 1, 3), 4);
       Scene scene{v, x, {}, {}};
       complete(random, scene, 4);
       moved_aside(random, scene, 4);

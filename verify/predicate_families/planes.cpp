@@ -70,8 +70,7 @@ Predicate_case ulps_off_plane(Random& random, double ulps)
 {
   return settled([&] {
     const Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 2, 3);
-    const Point x = element_point(random, v, corners, 4);
+    const Point x = element_point(random, v, integer(random, 2, 3), 4);
     const Frames f = any_frames(random);
     return completed(random, v, x, f, sign(random) * static_cast<int>(ulps));
   });
@@ -82,8 +81,7 @@ Predicate_case perturbed_zero(Random& random, double q)
   const Frames f = any_frames(random);
   Predicate_case c = settled([&] {
     const Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    const Point x = element_point(random, v, corners, 4);
+    const Point x = element_point(random, v, integer(random, 1, 3), 4);
     return completed(random, v, x, f);
   });
   if (std::isinf(q)) return c;

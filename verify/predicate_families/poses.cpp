@@ -14,8 +14,7 @@ namespace {
 Predicate_case near_contact(Random& random, const Frames& frames)
 {
   const Tetra v = tetrahedron(random, 8);
-  const int corners = integer(random, 1, 3);
-  Scene scene{v, element_point(random, v, corners, 4), {}, {}};
+  Scene scene{v, element_point(random, v, integer(random, 1, 3), 4), {}, {}};
   complete(random, scene);
   relabel(random, scene);
   return placed_nearly(scene, frames);
@@ -71,8 +70,7 @@ Predicate_case true_rotation(Random& random, double largest)
   Frames f = true_rotations(random, static_cast<int>(largest));
   return settled([&]() -> std::optional<Predicate_case> {
     const Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    Scene scene{v, element_point(random, v, corners, 4), {}, {}};
+    Scene scene{v, element_point(random, v, integer(random, 1, 3), 4), {}, {}};
     complete(random, scene);
     const int ulps = moved_aside(random, scene);
     relabel(random, scene);
@@ -146,9 +144,8 @@ Predicate_case swept_contact(Random& random, double bisections)
     } while (abs(dot(difference(v[1], v[0]), cross(difference(v[2], v[0]), difference(v[3], v[0])))) < Rational(0.25));
   else
     v = tetrahedron(random, 8);
-  const int corners = integer(random, 2, 3);
   Scene scene{v, {}, {}, {}};
-  const Point x = on_grid(element_point(random, v, corners, 6), 12);
+  const Point x = on_grid(element_point(random, v, integer(random, 2, 3), 6), 12);
   const Point normal = cross(difference(v[2], v[1]), difference(v[3], v[1]));
   const Rational inside = dot(normal, difference(v[0], v[1]));
   const auto depth = [&](const Point& y) -> Rational { return dot(normal, difference(y, v[1])) * inside; };

@@ -35,8 +35,7 @@ Tetra tetrahedron(Random& random, int size, bool anchored)
 Tetra tetrahedron_at_origin(Random& random, int size)
 {
   Tetra v = tetrahedron(random, size);
-  const int corners = integer(random, 1, 3);
-  const Point contact = element_point(random, v, corners, 4);
+  const Point contact = element_point(random, v, integer(random, 1, 3), 4);
   for (Point& corner : v) corner = difference(corner, contact);
   return v;
 }
@@ -285,8 +284,7 @@ Predicate_case any_contact(Random& random, const Frames& frames)
 {
   return settled([&] {
     const Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    return contact(random, v, element_point(random, v, corners, 4), frames);
+    return contact(random, v, element_point(random, v, integer(random, 1, 3), 4), frames);
   });
 }
 

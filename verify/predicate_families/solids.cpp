@@ -18,8 +18,7 @@ Predicate_case stacked(Random& random, double ulps)
     const auto base = [&](const Rational& z) { return Point{integer(random, -8, 8), integer(random, -8, 8), z}; };
     const Tetra v = {base(0), base(top), base(top), base(top)};
     if (is_zero(cross(difference(v[2], v[1]), difference(v[3], v[1])))) return std::nullopt;
-    const int corners = integer(random, 1, 3);
-    Point x = element_point(random, v, corners, 4);
+    Point x = element_point(random, v, integer(random, 1, 3), 4);
     if (one_in(random, 8)) x = in_plane(v, Rational(-1) / 8, Rational(1) / 2);
     const auto above = [&](const Rational& z) {
       return Point{x[0] + integer(random, -2, 2), x[1] + integer(random, -2, 2), z};
@@ -116,8 +115,7 @@ Predicate_case cavity_wall(Random& random, double genus)
            corner(k + 1, -3), corner(k + 1, 3)};
       if (one_in(random, 2)) v[3] = corner(k, 3);
     }
-    const int corners = integer(random, 1, 3);
-    const Point x = element_point(random, v, corners, 4);
+    const Point x = element_point(random, v, integer(random, 1, 3), 4);
     if (one_in(random, 2)) return contact(random, v, x, any_frames(random));
     // An edge along the wall.
     Scene scene{v, x, in_plane(v, Rational(integer(random, -1, 4)) / 4, Rational(1) / 8), outward(random, v, x)};

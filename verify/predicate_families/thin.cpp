@@ -150,8 +150,7 @@ Predicate_case many_faces(Random& random, double triangles)
     Tetra v = {Point{0, 0, 0}, corner(), corner(), corner()};
     for (int k = 2; k <= 3; ++k) v[k] = on_grid(sum(v[1], edge, v[k]), bits);
     if (dot(v[1], cross(v[2], v[3])) == 0) return std::nullopt;
-    const int corners = integer(random, 1, 3);
-    const Point x = element_point(random, v, corners, 4);
+    const Point x = element_point(random, v, integer(random, 1, 3), 4);
     const Frames frames = any_frames(random);
     return contact(random, v, x, frames, bits + 4);
   });
