@@ -1,6 +1,5 @@
-#include "experiments/cli/commands.h"
+#include "experiments/cli/pair_command.h"
 
-#include "experiments/support/output_file.h"
 #include "experiments/viewer/view_data.h"
 #include "experiments/viewer/viewer_files.h"
 #include "tetracone/covering/io/read_rays.h"
@@ -98,8 +97,7 @@ void require_direction(const std::array<std::string, 3>& along)
 void run_view(const View_options& options)
 {
   std::optional<kernel::Question> question;
-  if (!options.question.empty() && !(question = kernel::parse_question(options.question)))
-    throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
+  if (!options.question.empty()) question = required_question(options.question);
   const auto method = verify::parse_method(options.method);
   if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, tuned, paper or brute");
   if (viewer::three_js.empty())

@@ -10,8 +10,6 @@
 
 #include <CGAL/Side_of_triangle_mesh.h>
 
-#include <malloc.h>
-
 #include <ctime>
 
 namespace tetracone::experiments {
@@ -34,12 +32,6 @@ struct Contestant {
   std::function<double()> bytes;                ///< none: what the heap has grown by
   bool is_slow = false;                         ///< one pass is enough
 };
-
-double heap()
-{
-  const auto info = mallinfo2();
-  return double(info.uordblks) + double(info.hblkhd);
-}
 
 std::vector<Ray> rays_of(const covering::Polyhedron& body, int count, verify::Random& random)
 {
@@ -85,11 +77,11 @@ void race(const Task& task, const std::vector<Contestant>& contestants, std::vec
   };
   if (!ready)
     for_passes([&](int pass, std::size_t c) {
-      const double before = heap(), start = processor_time();
+      const double before = double(heap_bytes()), start = processor_time();
       contestants[c].set_up();
       const double ms = 1e3 * (processor_time() - start);
       if (pass == 0 || ms < clocked[c].ready) clocked[c].ready = ms;
-      if (pass == 0) clocked[c].bytes = contestants[c].bytes ? contestants[c].bytes() : heap() - before;
+      if (pass == 0) clocked[c].bytes = contestants[c].bytes ? contestants[c].bytes() : double(heap_bytes()) - before;
     });
   const double count = double(task.truth.size());
   for_passes([&](int pass, std::size_t c) {

@@ -21,12 +21,7 @@ struct Walk_answers {
   std::vector<char> answers = {};
   Query_statistics counts = {};
 
-  double mean_ns() const
-  {
-    double sum = 0;
-    for (const double ns : fastest_ns) sum += ns;
-    return sum / double(answers.size());
-  }
+  double mean_ns() const { return sum_of(fastest_ns) / double(answers.size()); }
 };
 
 constexpr std::size_t stretch = 100;

@@ -144,12 +144,7 @@ std::vector<Scene_contestant> contestants(const Scene_workload& work, const std:
 constexpr std::size_t frames_of_many = 5;
 
 /// The mean of all frames but the first, which makes things ready.
-double mean(const std::vector<double>& ns)
-{
-  double sum = 0;
-  for (std::size_t k = 1; k < ns.size(); ++k) sum += ns[k];
-  return sum / double(ns.size() - 1);
-}
+double mean(const std::vector<double>& ns) { return mean_of({ns.begin() + 1, ns.end()}); }
 
 void run_scene(const Scene_workload& work, Csv_table& table, std::uint64_t seed)
 {
