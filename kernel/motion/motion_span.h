@@ -219,7 +219,8 @@ class Motion_span {
     return near_by(axis, [&](std::size_t i) { return std::array{range(axis, a[i]), range(axis, b[i])}; });
   }
 
-  /// Returns the times at which two boxes may meet, as far as this axis tells. The same axes tell nothing.
+  /// Returns the times at which two boxes may meet, as far as this axis tells. Along an axis so short or so long that
+  /// products may be lost, these are all times.
   Time_window near_along(const Vertex& axis, const Moving_box& a, const Moving_box& b) const
   {
     return near_by(axis, [&](std::size_t i) {
