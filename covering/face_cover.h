@@ -30,7 +30,7 @@ namespace tetracone::covering {
 /// - (2) no triangle has its corners on one line;
 /// - (3) when pairs of opposite ones are cancelled, the directed sides of the triangles are the directed edges of the
 ///   loops;
-/// - (4) each edge of a loop is a side of a triangle;
+/// - (4) each edge of a loop is a side of a triangle, and a corner that is twice in a row is a triangle's;
 /// - (5) two triangles of opposite directions have no area in common.
 ///
 /// Proof. Directed edges add up to the winding number about any point off them, and opposite edges add up to 0. So by
@@ -57,8 +57,10 @@ class Face_cover {
   std::optional<std::string> flaw(Index f, std::span<const Triangle> triangles)
   {
     sides_.clear();
+    std::vector<Index> repeated;
     for_each_directed_edge(polyhedron_, f, [&](Index a, Index b) {
       corner_of_[a] = f;
+      if (a == b) repeated.push_back(a);
       add_side(a, b, false);
     });
     for (const Triangle& t : triangles)
@@ -79,6 +81,9 @@ class Face_cover {
         return "its triangles do not end where its loops do, at the edge of vertices " + std::to_string(first->low) +
                " and " + std::to_string(first->high);
     }
+    for (const Index v : repeated)
+      if (std::ranges::none_of(triangles, [v](const Triangle& t) { return std::ranges::find(t, v) != t.end(); }))
+        return "no triangle has its corner " + std::to_string(v);
     if (is_of_both_directions_ && overlap(triangles)) return "triangles of opposite directions overlap";
     return std::nullopt;
   }

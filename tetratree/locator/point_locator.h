@@ -103,14 +103,17 @@ class Point_locator {
   {
     // A pose has no such entries, and a body no vertices beyond the largest double.
     for (const kernel::Rational& x : point)
-      if (!std::isfinite(kernel::nearest_double(x))) return Location::outside;
-    const kernel::Pose translation(
-        std::array<kernel::Rational, 12>{1, 0, 0, point[0], 0, 1, 0, point[1], 0, 0, 1, point[2]});
+      if (!(std::abs(x.get_d()) < 0x1p1023) && !std::isfinite(kernel::nearest_double(x))) return Location::outside;
     kernel::Local_point at;
     for (int k = 0; k < 3; ++k)
-      at[k] = kernel::nearest_double(
-          kernel::Rational((point[k] - kernel::Rational(scale_.origin[k])) / kernel::Rational(scale_.unit)));
-    return locate(at, [&] { return K::placed({0, 0, 0}, translation); });
+      at[k] = kernel::nearest_double(kernel::times_power(
+          kernel::Rational(point[k] - kernel::Rational(scale_.origin[k])), -std::ilogb(scale_.unit)));
+    std::optional<kernel::Pose> translation;  // made where triangles decide, for it takes longer than all else
+    return locate(at, [&] {
+      if (!translation)
+        translation.emplace(std::array<kernel::Rational, 12>{1, 0, 0, point[0], 0, 1, 0, point[1], 0, 0, 1, point[2]});
+      return K::placed({0, 0, 0}, *translation);
+    });
   }
 
   /// Returns the bytes held, except the model's.

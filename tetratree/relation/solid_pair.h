@@ -225,8 +225,8 @@ class Solid_pair {
       may_cross = may_cross || !solid_[1 - body].sides().of(piece.face[1 - body]).is_plain;
       if (piece.by_signs.count == 0)
         for (const auto& loop : piece.loops) add_cuts(loop, cuts);
-      // A segment on the border of a triangle does not cut it.
-      for (int j = piece.by_signs.count == 2; j < piece.by_signs.count && piece.by_signs.count > 1; ++j)
+      // A segment or a point on the border of a triangle does not cut it. One point inside is an edge to itself.
+      for (int j = piece.by_signs.count == 2; j < piece.by_signs.count; ++j)
         if (piece.edges_along(body, j) == 0)
           cuts.push_back({piece.loops[0][j], piece.loops[0][(j + 1) % piece.by_signs.count]});
     }

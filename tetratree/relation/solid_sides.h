@@ -19,14 +19,14 @@
 
 namespace tetracone::tetratree {
 
-/// Adds the edges of a loop, or the segment between two points; nothing for one point.
+/// Adds the edges of a loop, the segment between two points, or one point: no cell has it inside.
 inline void add_cuts(const std::vector<kernel::Rational_point>& loop, std::vector<kernel::Rational_face::Edge>& cuts)
 {
-  for (std::size_t k = loop.size() == 2; k < loop.size() && loop.size() > 1; ++k)
+  for (std::size_t k = loop.size() == 2; k < loop.size(); ++k)
     cuts.push_back({loop[k == 0 ? loop.size() - 1 : k - 1], loop[k]});
 }
 
-/// Adds the segments and the borders of the polygons that two faces share.
+/// Adds the points, the segments and the borders of the polygons that two faces share.
 inline void add_cuts(const kernel::Rational_face& p, const kernel::Rational_face& q,
                      std::vector<kernel::Rational_face::Edge>& cuts)
 {

@@ -94,6 +94,15 @@ BOOST_AUTO_TEST_CASE(an_edge_that_bounds_nothing_is_a_side)
   BOOST_TEST(flaw(slit, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}) == "");
 }
 
+BOOST_AUTO_TEST_CASE(a_loop_of_one_point_is_covered_by_a_corner)
+{
+  const std::vector<std::array<double, 2>> points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {9, 9}};
+  const Triangles halves{{0, 1, 2}, {0, 2, 3}};
+  BOOST_TEST(flaw(slanted_face(points, {{0, 1, 2, 3}, {4, 4, 4}}), halves) == "no triangle has its corner 4");
+  BOOST_TEST(flaw(slanted_face(points, {{0, 1, 2, 3}, {2, 2, 2}}), halves) == "");
+  BOOST_TEST(flaw(slanted_face(points, {{0, 0, 1, 2, 3}}), halves) == "");
+}
+
 BOOST_AUTO_TEST_CASE(a_corner_of_the_face_before_is_not_this_ones)
 {
   // A roof over the square, by the apex of a face that stands on it.

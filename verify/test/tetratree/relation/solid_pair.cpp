@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/relation/solid_pair.h"
 
+#include "tetracone/kernel/contact/face_cells.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/lego.h"
@@ -101,6 +102,28 @@ BOOST_AUTO_TEST_CASE(faces_without_area_are_points_of_the_solid)
   within.add_polygon({7, 8});
   BOOST_TEST(text_of(within, scenes::unit_cube()) == "equal 2");
   BOOST_TEST(text_of(box_at({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}), within) == "inside 0");
+}
+
+BOOST_AUTO_TEST_CASE(a_vertex_touches_where_a_cell_is_looked_at)
+{
+  const Polyhedron corner = scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  const Rational_point a = {0, 0, 0}, b = {1, 0, 0}, c = {0, 1, 0};
+  const Rational_face bottom({{a, b}, {b, c}, {c, a}});
+  const Face_cells cells(bottom, {});
+  BOOST_REQUIRE(cells.size() > 0u);
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Rational_point at = cells.inner_point(k);
+    const double x = at[0].get_d(), y = at[1].get_d();
+    for (const double z : {0.0625, -0.0625}) {
+      const Polyhedron needle = scenes::tetrahedron({x, y, 0}, {x - 0.0625, y - 0.03125, z},
+                                                    {x + 0.0625, y - 0.03125, z}, {x, y + 0.0625, z});
+      BOOST_TEST(text_of(corner, needle) == (z > 0 ? "covers 0" : "meet 0"));
+      for (const bool swapped : {false, true}) {
+        Query query(Body(swapped ? needle : corner), Body(swapped ? corner : needle));
+        BOOST_TEST(query.overlap(Pose(), Pose()).exact_volume() == (z > 0 ? "1/8192" : "0"));
+      }
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_membrane_is_no_border)
