@@ -70,7 +70,8 @@ class Body:
             corners = {v for loop in loops for v in loop}
             need(not parts or all(v in corners for part in parts for v in part), f"a triangle of face {f} has a corner that is none of the face's")
             need(not parts or balance(edges(loops)) == balance(edges(parts)), f"the triangles of face {f} have another boundary")
-            need(not parts or {frozenset(e) for e in edges(loops)} <= {frozenset(e) for e in edges(parts)}, f"face {f} has an edge without a triangle")
+            held = {frozenset(e) for e in edges(parts or [])} | {frozenset([v]) for part in parts or [] for v in part}
+            need(not parts or {frozenset(e) for e in edges(loops)} <= held, f"face {f} has an edge without a triangle")
 
     def group(self, entry):
         if isinstance(entry, dict):

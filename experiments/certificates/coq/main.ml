@@ -264,6 +264,13 @@ type body = {
   is_closed : bool Lazy.t;
 }
 
+(* A loop without corners that are twice in a row: an edge from a vertex to itself is a point of the next one. *)
+let without_repeats loop =
+  let rec drop = function a :: (b :: _ as rest) when a = b -> drop rest | a :: rest -> a :: drop rest | [] -> [] in
+  match drop loop with
+  | first :: (_ :: _ as rest) when List.nth rest (List.length rest - 1) = first -> rest
+  | short -> short
+
 let read_body entry path =
   keys entry [] ["file"; "sha256"; "vertices"; "faces"; "turned"; "cut"; "groups"];
   let vertices, faces =
@@ -288,6 +295,7 @@ let read_body entry path =
       | _ -> bad "a turned loop has not two numbers") (rows (get entry "turned")) else [] in
   need_form (List.length (List.sort_uniq compare turned) = List.length turned) "a loop is turned twice";
   List.iter (fun (f, l) -> loops.(f) <- List.mapi (fun k loop -> if k = l then List.rev loop else loop) loops.(f)) turned;
+  Array.iteri (fun f face -> loops.(f) <- List.map without_repeats face) loops;
   let unit = unit_of (List.concat vertices) in
   let corners = Array.of_list (List.map (grid_of unit) vertices) in
   let place = List.map (List.map (Array.get corners)) in
