@@ -93,22 +93,41 @@ Object_case nearly_collinear(Random& random, double parameter)
                 exact_motion(random));
 }
 
-/// Blocks with a spur of no width, a lone point, or a face with a repeated corner; B is at that, or inside a block.
+/// Returns the polyhedron with one more loop of face `of`. The loop's vertices may come later.
+Polyhedron with_loop(const Polyhedron& polyhedron, Index of, const std::vector<Index>& loop)
+{
+  Polyhedron result;
+  result.vertices = polyhedron.vertices;
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    auto loops = face_loops(polyhedron, f);
+    if (f == of) loops.push_back(loop);
+    result.add_face(loops);
+  }
+  return result;
+}
+
+/// Blocks with a spur of no width, a lone point, a face with a repeated corner, or a face that has a loop of one point
+/// beside it; B is at that, or inside a block.
 Object_case degenerate_face(Random& random, double parameter)
 {
   const int kind = static_cast<int>(parameter);
   static const std::vector<std::pair<Body, std::array<Vertex, 2>>> spurred = [] {
     std::vector<std::pair<Body, std::array<Vertex, 2>>> all;
-    for (int kind = 0; kind < 3; ++kind)
+    for (int kind = 0; kind < 4; ++kind)
       for (const std::size_t block : {0, 2, 5, 7}) {
         Polyhedron body = *blocks()[block].body;
-        const Index from = 1, to = body.vertices.size();
-        const Vertex v = body.vertices[from], tip = {v[0] + 0.5, v[1] - 0.25, v[2] + 0.25};
+        const covering::Loop loop = body.loop(0, 0);
+        const Index from = kind == 3 ? loop[0] : 1, to = body.vertices.size();
+        const Vertex v = body.vertices[from], next = body.vertices[loop[1]];
+        Vertex tip = {v[0] + 0.5, v[1] - 0.25, v[2] + 0.25};
+        if (kind == 3)  // on the line of an edge, so in the face's plane
+          for (int k = 0; k < 3; ++k) tip[k] = 2 * v[k] - next[k];
+        if (kind == 3) body = with_loop(body, 0, {to, to, to});
         body.vertices.push_back(tip);
         if (kind == 0) body.add_polygon({from, to});
         if (kind == 1) body.add_polygon({to});
         if (kind == 2) body.add_polygon({from, from, to});
-        all.push_back({shared(std::move(body)), {kind == 1 ? tip : v, tip}});
+        all.push_back({shared(std::move(body)), {kind % 2 == 1 ? tip : v, tip}});
       }
     return all;
   }();
