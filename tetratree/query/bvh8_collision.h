@@ -44,8 +44,8 @@ enum class Coherence {
 /// - the descent of pairs of boxes: the larger box is opened, and its eight parts are tested against the other box.
 ///   That box is carried into their frame with a slack that covers all rounding, the pose's included;
 /// - pairs of elements, which the signs of K decide. If stages after the adaptive kernel's filter tell a pair apart,
-///   `Separating_face` may find that the plane of one parts the bodies, or `kernel::are_parted_by_vertices` another
-///   plane. For bodies of few vertices that nearly touch, the search for the latter comes before the descent.
+///   `Separating_face` may find that the plane of one parts the bodies. `kernel::are_parted_by_vertices` may find
+///   another plane. For bodies of few vertices that nearly touch, the search for the latter comes before the descent.
 ///
 /// An exact kernel's answer equals testing all elements against all elements. A rounding kernel's may differ: planes
 /// and boxes discard pairs that its signs would take to meet. For solids whose surfaces share no point,
