@@ -7,7 +7,8 @@
 
 namespace tetracone::covering {
 
-/// Returns +1 or -1 when the tetrahedron O W A B of the covering holds p, by its sign, else 0.
+/// Returns +1 or -1 when the tetrahedron O W A B of the covering holds p, by its sign, else 0. This answer and those
+/// below are exact where K's signs are.
 ///
 /// p is moved by the infinitesimal (e, e^2, e^3) first, so it lies on no plane of any tetrahedron. The sum of the
 /// results over the covering is the winding number of the moved point, and of p if p lies on no face. (Weights of 1/2

@@ -250,6 +250,7 @@ inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& heade
 /// - coordinates of integer types, and colours that are not uchar;
 /// - coordinates that are not finite, and numbers of a text that are not finite or, as float, too large;
 /// - lines without their last properties;
+/// - faces of one or two corners, which are left out with a note;
 /// - headers with empty lines, with carriage returns alone, or with the format not in line 2.
 inline Scan scan_ply(const std::string& file, std::string_view text)
 {

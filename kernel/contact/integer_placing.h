@@ -35,7 +35,7 @@ class Integer_placing {
       }
   }
 
-  /// Returns the placed vertex, times `scale`.
+  /// Returns the placed vertex, times `scale`. Requires a vertex whose coordinates times 2^bits are integers.
   Number_point<mpz_class> operator()(int body, const Vertex& v) const
   {
     const int bits = bits_[body];

@@ -255,8 +255,9 @@ class Bvh8_builder {
     return parts;
   }
 
-  /// Cuts the part in two at the least cost (SAH), and returns the position of the cut in the order. It cuts in the
-  /// middle of the order where no plane parts the elements.
+  /// Cuts the part in two at the least cost (SAH), and returns the position of the cut in the order. It prefers a cut
+  /// through the origin that costs less than 1.03 times the other; `Cuts::through_origin` takes it at any cost. It cuts
+  /// in the middle of the order where no plane parts the elements.
   Index split(const Part& part, const covering::Both& both)
   {
     const Index count = part.last - part.first, middle = part.first + count / 2;

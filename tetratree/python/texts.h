@@ -49,12 +49,13 @@ class Python_fraction {
 };
 
 /// Returns the text that the door reads as exactly this number. A text stays as it is, a float becomes its shortest
-/// decimal, and any other number "n/d". The denominator 1 is written too, since a decimal would be rounded. A value
-/// that is no number becomes "a TYPE", for messages.
+/// decimal, and any other number "n/d". The denominator 1 is written too, since a decimal would be rounded. Another
+/// type's nan or infinity becomes its own text, which the door refuses. A value that is no number becomes "a TYPE", for
+/// messages.
 std::string exact_text(const pybind11::handle& value);
 
 /// Returns a file's name from str, bytes or os.PathLike, of any bytes except 0. Throws Error for a text that names no
-/// file.
+/// file. Raises Python's TypeError for other types.
 std::filesystem::path path_of(const pybind11::handle& name);
 
 /// Sets Python's error of this class. It is one line, whatever bytes of files and texts it quotes.

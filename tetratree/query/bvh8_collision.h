@@ -34,7 +34,7 @@ using kernel::Relation;
 enum class Coherence {
   none,
   last_frame  ///< a `Pair_memory`: the next pose tries first the direction that separated the bodies and the pair of
-              ///< elements that met. Exact kernels also keep the front of the descent
+              ///< leaves that met. Exact kernels also keep the front of the descent
 };
 
 /// Collision detection between two `Bvh8` over kernel K. Build once, ask for many poses.
@@ -43,12 +43,13 @@ enum class Coherence {
 /// - a plane between the bodies (`Separating_direction`);
 /// - the descent of pairs of boxes: the larger box is opened, and its eight parts are tested against the other box.
 ///   That box is carried into their frame with a slack that covers all rounding, the pose's included;
-/// - pairs of elements, which the signs of K decide. Where exact signs tell a pair apart, `Separating_face` may find
-///   that the plane of one parts the bodies, or `kernel::are_parted_by_vertices` another plane. For bodies of few
-///   vertices, the search for the latter comes before the descent.
+/// - pairs of elements, which the signs of K decide. If stages after the adaptive kernel's filter tell a pair apart,
+///   `Separating_face` may find that the plane of one parts the bodies. `kernel::are_parted_by_vertices` may find
+///   another plane. For bodies of few vertices that nearly touch, the search for the latter comes before the descent.
 ///
-/// So the answer equals testing all elements against all elements, and is exact where K's signs are. For solids whose
-/// surfaces share no point, `Bvh8_containment` decides whether one holds the other.
+/// An exact kernel's answer equals testing all elements against all elements. A rounding kernel's may differ: planes
+/// and boxes discard pairs that its signs would take to meet. For solids whose surfaces share no point,
+/// `Bvh8_containment` decides whether one holds the other.
 ///
 /// Both trees, and their models, must outlive the query object. The constructor and every query throw
 /// kernel::Unsound_floating_point when floating point is not as exact answers need it.

@@ -26,9 +26,10 @@ struct Scene_case {
     friend bool operator==(const Standing&, const Standing&) = default;
   };
   struct Frame {
-    std::vector<std::optional<Standing>>
-        bodies;                      ///< by number, equally many in every frame; nothing for an absent body
-    std::vector<Body_pair> ignored;  ///< pairs that are not asked for, now and in later frames
+    /// By number, equally many in every frame; nothing for an absent body.
+    std::vector<std::optional<Standing>> bodies;
+    /// All pairs that are not asked for in this frame; each frame repeats those of the frames before.
+    std::vector<Body_pair> ignored;
   };
 
   std::vector<std::shared_ptr<const covering::Polyhedron>> models;

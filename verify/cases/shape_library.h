@@ -12,8 +12,8 @@
 /// The bodies of the object families. Each is made once: cases share it, and with it a subject's prepared trees.
 namespace tetracone::verify {
 
-/// True when the meshes of `fetch_models.sh` exist under .cache/models of the source folder. The cases of a seed depend
-/// on this; a campaign records it.
+/// True when `fetch_models.sh` has left `elephant.off`, which stands for all its meshes, under .cache/models of the
+/// source folder. The cases of a seed depend on this; a campaign records it.
 bool real_meshes_available();
 
 }  // namespace tetracone::verify
@@ -30,7 +30,8 @@ struct Face_triangle {
 };
 
 /// An edge between two faces that both support the body. Let a plane through the edge have any positive combination of
-/// their normals as normal. The plane leaves the whole body on one side, and meets it in this edge only.
+/// their normals as normal. The plane leaves the whole body on one side. It meets the body only on the edge's line,
+/// where other edges may lie.
 struct Hull_edge {
   Index from, to;
   std::array<Index, 2> faces;
@@ -72,8 +73,9 @@ const std::vector<Shape>& meshes();
 const Shape& any_shape(Random& random);
 /// Returns such a shape that has an edge on its hull.
 const Shape& with_hull_edges(Random& random);
-/// Returns a block, or a pebble.
+/// Returns any block.
 const Shape& any_block(Random& random);
+/// Returns any pebble.
 const Shape& any_pebble(Random& random);
 /// Returns a block that is its own hull.
 const Shape& any_convex(Random& random);

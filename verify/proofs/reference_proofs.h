@@ -16,7 +16,8 @@
 /// reference of a span of time, and the front of a pair of bodies.
 namespace tetracone::verify::proofs {
 
-/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
+/// Returns their proofs; verify/test/verify/proofs/all_proofs.cpp compares each proved bound with the constant in the
+/// code. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds reference_proofs()
 {
   using detail::Kind;

@@ -5,7 +5,7 @@
 
 namespace tetracone::verify {
 
-/// True only when a polyhedron's solid is the convex hull of the vertices of its edges, and no face has an area of 0.
+/// True only when a polyhedron's solid is the convex hull of the vertices of its edges, and no face lies on one line.
 /// It is false for some of these, such as one with a membrane inside.
 ///
 /// Every face then has all vertices on one side of its plane, which leaves one region inside. That has a winding number

@@ -25,8 +25,9 @@ struct Element {
 ///
 /// CGAL's constrained Delaunay triangulation with exact intersections triangulates each face that is not a triangle, on
 /// its projection along the largest component of its normal. Triangles whose winding number about the loops is not zero
-/// are kept, and those parts of the loops that bound no such triangle. The triangles, each counted with its winding
-/// number, bound the same set as the faces. Winding numbers about the polyhedron can therefore be counted on them.
+/// are kept, and those parts of the loops that bound no such triangle. A face on a line becomes the segments of its
+/// loops, and a loop of one point becomes that point. The triangles, each counted with its winding number, bound the
+/// same set as the faces. Winding numbers about the polyhedron can therefore be counted on them.
 class Brute_body {
  public:
   /// Throws std::invalid_argument when a face is not exactly planar.
