@@ -106,8 +106,8 @@ Polyhedron with_loop(const Polyhedron& polyhedron, Index of, const std::vector<I
   return result;
 }
 
-/// Blocks with a spur of no width, a lone point, a face with a repeated corner, or a face that has a loop of one point
-/// beside it; B is at that, or inside a block.
+/// Blocks with a spur of no width, a lone point, a face with a repeated corner, or a loop of one point beside a face.
+/// B is at that, or inside a block.
 Object_case degenerate_face(Random& random, double parameter)
 {
   const int kind = static_cast<int>(parameter);
