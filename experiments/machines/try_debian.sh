@@ -39,6 +39,7 @@ fi
 rm -rf "$folder/tetracone"
 git clone --quiet "$root" "$folder/tetracone"
 cp --remove-destination -L /etc/resolv.conf "$folder/etc/resolv.conf"
+printf '127.0.0.1 localhost\n::1 localhost\n' > "$folder/etc/hosts"  # an installer writes it; selenium of Debian 12 needs it
 
 # in_root COMMAND: with the processes and devices that the tests need.
 in_root()

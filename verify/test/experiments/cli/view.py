@@ -16,7 +16,6 @@ try:
     import numpy
     from PIL import Image
     from selenium import webdriver
-    from selenium.common.exceptions import WebDriverException
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.support.wait import WebDriverWait
 except ImportError:
@@ -48,13 +47,7 @@ class Browser:
         for flag in ("headless", "no-sandbox", "use-angle=swiftshader", "enable-unsafe-swiftshader", "hide-scrollbars", "no-first-run",
                      "disable-background-networking", "disable-component-update", "disable-sync"):
             options.add_argument(f"--{flag}")
-        for left in (2, 1, 0):  # a busy machine may not start the driver within the half minute that selenium waits
-            try:
-                self.driver = webdriver.Chrome(service=Service(chromedriver), options=options)
-                break
-            except WebDriverException:
-                if left == 0:
-                    raise
+        self.driver = webdriver.Chrome(service=Service(chromedriver), options=options)
         self.driver.set_script_timeout(100)
         return self
 
