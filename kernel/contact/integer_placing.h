@@ -2,14 +2,25 @@
 #define TETRACONE_KERNEL_CONTACT_INTEGER_PLACING_H
 
 #include "tetracone/kernel/contact/corner_point.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 
 #include <array>
+#include <span>
 
 namespace tetracone::kernel {
+
+/// Returns the least n >= 0 such that all coordinates times 2^n are integers. Requires finite coordinates.
+inline int fraction_bits(std::span<const Vertex> vertices)
+{
+  int bits = 0;
+  for (const Vertex& v : vertices)
+    for (const double x : v) bits = maximum(bits, fraction_bits(x));
+  return bits;
+}
 
 /// The placed vertices of two bodies in integers: a scale times their coordinates. Sums and products of integers need
 /// no greatest common divisor, so they take a fraction of the time of rationals.

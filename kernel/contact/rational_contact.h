@@ -62,7 +62,7 @@ class Line_contact {
     for (const Rational_face* face : {&p_, &q_}) {
       for (const auto& [from, to] : face->edges()) add_meeting(from, to, origin, direction);
       if (const Rational slope = dot(face->normal(), direction); slope != 0)
-        stops_.push_back(at(origin, direction, -face->beyond(origin) / slope));
+        stops_.push_back(sum(origin, scaled(direction, Rational(-face->beyond(origin) / slope))));
     }
     order_along(direction);
   }
@@ -94,13 +94,6 @@ class Line_contact {
   }
 
  private:
-  static Rational_point at(const Rational_point& origin, const Rational_point& direction, const Rational& t)
-  {
-    Rational_point x;
-    for (int k = 0; k < 3; ++k) x[k] = origin[k] + t * direction[k];
-    return x;
-  }
-
   /// Adds the point where a closed segment meets the line, or both ends of one in it. Seen along the line, the ends of
   /// a crossing segment are on opposite sides.
   void add_meeting(const Rational_point& from, const Rational_point& to, const Rational_point& origin,

@@ -89,8 +89,6 @@ bool holds_zero(const Integer_face& face, const Seen& seen)
   return is_on_edge || winding != 0;
 }
 
-inline int axis_of(const Integer_vector& x) { return x[0] != 0 ? 0 : x[1] != 0 ? 1 : 2; }
-
 }  // namespace detail
 
 /// Returns the least t >= 0 at which the ray t d meets the closed face; nothing where it does not. Requires d != 0.
@@ -102,20 +100,19 @@ inline std::optional<Rational> ray_face(const Integer_vector& d, const Integer_f
     t.canonicalize();
     return t;
   };
-  const auto& basis = face.basis;
-  const Integer_vector normal = cross(difference(basis[1], basis[0]), difference(basis[2], basis[0]));
-  const mpz_class ascent = dot(normal, d), height = dot(normal, basis[0]);
+  const Integer_vector normal = normal_of(face.basis);
+  const mpz_class ascent = dot(normal, d), height = dot(normal, face.basis[0]);
   if (ascent != 0) {
     if (sgn(height) * sgn(ascent) < 0) return std::nullopt;
     // Seen along d, the ray's line is a point. Two coordinates of x cross d tell the third.
-    const int axis = detail::axis_of(d), i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const int axis = largest_axis(d), i = (axis + 1) % 3, j = (axis + 2) % 3;
     const auto seen = [&](const Integer_vector& x) {
       return Integer_pair{x[j] * d[axis] - x[axis] * d[j], x[axis] * d[i] - x[i] * d[axis]};
     };
     return detail::holds_zero(face, seen) ? std::optional(fraction(height, ascent)) : std::nullopt;
   }
   if (height != 0) return std::nullopt;
-  const int axis = detail::axis_of(normal), i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const int axis = largest_axis(normal), i = (axis + 1) % 3, j = (axis + 2) % 3;
   const auto seen = [&](const Integer_vector& x) { return Integer_pair{x[i], x[j]}; };
   if (detail::holds_zero(face, seen)) return Rational(0);
   // The ray begins outside the face, in its plane: it comes in over an edge.

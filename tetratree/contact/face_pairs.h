@@ -67,8 +67,6 @@ class Contact_faces {
       triangles_.push_back(is_triangle ? std::array{loop[0], loop[1], loop[2]}
                                        : std::array{covering::none, covering::none, covering::none});
     }
-    for (const kernel::Vertex& v : polyhedron.vertices)
-      for (const double x : v) fraction_bits_ = kernel::maximum(fraction_bits_, kernel::fraction_bits(x));
   }
 
   /// Finds the owners of all edges, unless they are known. `covering` is the constructor's.
@@ -91,8 +89,6 @@ class Contact_faces {
   }
 
   const covering::Polyhedron& polyhedron() const { return *polyhedron_; }
-  /// Returns the least n >= 0 such that all coordinates times 2^n are integers.
-  int fraction_bits() const { return fraction_bits_; }
   /// Returns the corners of a triangle with a plane; none for another face.
   const std::array<Index, 3>& triangle(Index f) const { return triangles_[f]; }
 
@@ -108,7 +104,6 @@ class Contact_faces {
   std::vector<std::array<Index, 3>> triangles_;  // none for other faces
   std::vector<std::array<Index, 2>> owned_;
   std::vector<std::size_t> owned_begin_;
-  int fraction_bits_ = 0;
 };
 
 /// The tests of pairs of faces of two placed bodies over K. Its arguments must outlive it.
@@ -228,7 +223,10 @@ class Face_pairs {
       return;
     }
     if (is_beside(a, face_a, b, face_b) || is_beside(b, face_b, a, face_a)) return;
-    if (!placing_) placing_.emplace(std::array{&pose_a, &pose_b}, std::array{a_.fraction_bits(), b_.fraction_bits()});
+    if (!fraction_bits_)
+      fraction_bits_ = {kernel::fraction_bits(a_.polyhedron().vertices),
+                        kernel::fraction_bits(b_.polyhedron().vertices)};
+    if (!placing_) placing_.emplace(std::array{&pose_a, &pose_b}, *fraction_bits_);
     for (kernel::Rational_piece& each : kernel::face_contact(exact_face(a_, 0, face_a), exact_face(b_, 1, face_b))) {
       found.pieces.push_back({face_a, face_b, each.kind, each.in_p, each.in_q, {}, Index(found.kept.size())});
       for (auto& loop : each.loops)
@@ -310,7 +308,8 @@ class Face_pairs {
   }
 
   const Contact_faces &a_, &b_;
-  std::optional<kernel::Integer_placing> placing_;  // of the poses, once rationals were needed
+  std::optional<std::array<int, 2>> fraction_bits_;  // of the bodies; no pose changes them
+  std::optional<kernel::Integer_placing> placing_;   // of the poses, once rationals were needed
   std::array<std::map<Index, kernel::Rational_face>, 2> exact_faces_;
   kernel::Kept_sides kept_sides_;  // of triangles, for the adaptive kernel
 };

@@ -59,8 +59,7 @@ class Solid_sides {
       faces_[f].is_plain = polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f).has_value();
       if (!faces_[f].is_plain) uneven_.push_back(f);
     }
-    for (const kernel::Vertex& v : polyhedron.vertices)
-      for (const double x : v) fraction_bits_ = kernel::maximum(fraction_bits_, kernel::fraction_bits(x));
+    fraction_bits_ = kernel::fraction_bits(polyhedron.vertices);
     find_cutters(tree);
     see_patches();
     for (Index f = 0; f < faces; ++f)
