@@ -3,12 +3,12 @@
 
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/number/nearest_root.h"
 #include "tetracone/kernel/number/number.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -54,24 +54,12 @@ inline Planarity planarity(const Polyhedron& polyhedron, Index f)
   return Planarity::planar;
 }
 
-/// Returns the square root of a rational >= 0 as a double, with a few roundings. The rational may exceed the range of
-/// double.
-inline double square_root(kernel::Rational square)
-{
-  if (square == 0) return 0;
-  const kernel::Rational step = kernel::Rational(std::ldexp(1.0, 512));
-  int exponent = 0;
-  for (; square * step < 1; exponent -= 256) square *= step;
-  for (; square > step; exponent += 256) square /= step;
-  return std::ldexp(std::sqrt(kernel::nearest_double(square)), exponent);
-}
-
 /// The deviation of a face from being planar.
 struct Off_plane {
   Index face;
   Index vertex;                       ///< the one farthest from the plane, the first of equals
   kernel::Rational squared_distance;  ///< of that vertex, exact
-  double distance;                    ///< its square root, as `square_root` rounds it
+  double distance;                    ///< the double nearest to its square root
 };
 
 /// Returns the largest distance of a corner of face `f` from the plane through three of its corners p, q, r. p is the
@@ -112,7 +100,7 @@ inline Off_plane deviation(const Polyhedron& polyhedron, Index f)
       result.vertex = all[k];
     }
   result.squared_distance = height * height / largest;
-  result.distance = square_root(result.squared_distance);
+  result.distance = kernel::nearest_root(result.squared_distance);
   return result;
 }
 
