@@ -54,9 +54,10 @@ struct Found_regions {
 /// `Solid_pair` do. This is known of a region:
 /// - On a common polygon, both solids are on one side of the plane, or on opposite sides. A vertex that is off the
 ///   plane tells which.
-/// - A polygon or a segment within a face ends at an edge of the other body. The edge's two faces bound a wedge, which
-///   is the solid near it. If the edge is convex, a plane through it that does not enter the wedge is outside beyond
-///   the wedge's faces; if it is reflex, inside.
+/// - Within a face, a segment and a polygon's border follow an edge of the other body. The two faces at the edge bound a
+///   wedge of its solid, which is less than half of space where the edge is convex. Where the wedge is on one side of
+///   the face's plane, or has a face in it, the plane beyond the edge is outside at a convex edge, inside at a reflex
+///   one.
 /// - A face without a segment in its inside is one region, and its corners off the other surface are on the region's
 ///   border. Regions that have such a corner in common are alike, and one corner decides for all.
 /// Each region of a face with a segment in its inside has a part of that segment or of another on its border.
