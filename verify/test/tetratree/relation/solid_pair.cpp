@@ -107,8 +107,9 @@ BOOST_AUTO_TEST_CASE(faces_without_area_are_points_of_the_solid)
 
 BOOST_AUTO_TEST_CASE(a_vertex_touches_where_a_cell_is_looked_at)
 {
-  const Polyhedron corner = scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
-  const Rational_point a = {0, 0, 0}, b = {1, 0, 0}, c = {0, 1, 0};
+  const Polyhedron corner = scenes::tetrahedron({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 2});
+  // The origin, from which volumes are summed, is off the plane.
+  const Rational_point a = {0, 0, 1}, b = {1, 0, 1}, c = {0, 1, 1};
   const Rational_face bottom({{a, b}, {b, c}, {c, a}});
   const Face_cells cells(bottom, {});
   BOOST_REQUIRE(cells.size() > 0u);
@@ -116,8 +117,8 @@ BOOST_AUTO_TEST_CASE(a_vertex_touches_where_a_cell_is_looked_at)
     const Rational_point at = cells.inner_point(k);
     const double x = at[0].get_d(), y = at[1].get_d();
     for (const double z : {0.0625, -0.0625}) {
-      const Polyhedron needle = scenes::tetrahedron({x, y, 0}, {x - 0.0625, y - 0.03125, z},
-                                                    {x + 0.0625, y - 0.03125, z}, {x, y + 0.0625, z});
+      const Polyhedron needle = scenes::tetrahedron({x, y, 1}, {x - 0.0625, y - 0.03125, 1 + z},
+                                                    {x + 0.0625, y - 0.03125, 1 + z}, {x, y + 0.0625, 1 + z});
       BOOST_TEST(text_of(corner, needle) == (z > 0 ? "covers 0" : "meet 0"));
       for (const bool swapped : {false, true}) {
         Query query(Body(swapped ? needle : corner), Body(swapped ? corner : needle));
