@@ -13,6 +13,7 @@
 #include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/probe_subject.h"
 #include "verify/truth/cgal_truth.h"
+#include "verify/truth/overlap_truth.h"
 #include "verify/truth/point_truth.h"
 #include "verify/truth/ray_truth.h"
 
@@ -144,6 +145,30 @@ Contact_question contacts_of_triangles(const Shared_workload& w)
   cut.b = triangulated(w->b);
   Contact_question asked = contacts(std::make_shared<const Workload>(std::move(cut)));
   asked.name = "contacts of triangles";
+  return asked;
+}
+
+/// Which of the eight relations solids of triangles have, and the dimension of the contact.
+Contact_question solid_relations(const Shared_workload& w)
+{
+  const auto a = std::make_shared<const covering::Polyhedron>(triangulated(w->a)),
+             b = std::make_shared<const covering::Polyhedron>(triangulated(w->b));
+  const auto truth = std::make_shared<std::vector<kernel::Solid_contact>>();
+  Contact_question asked{"solid relation", w};
+  for (std::size_t k = 0; k < w->poses_b.size(); ++k) {
+    truth->push_back(verify::solid_overlap({a, b, w->pose_a(k), w->poses_b[k], {}, {}, {}}).contact);
+    asked.truth.push_back(truth->back().relation != kernel::Solid_relation::disjoint);
+  }
+  asked.ways.push_back({method("adaptive", "tree"), [=] {
+                          const auto query = std::make_shared<Query>(Body(*a), Body(*b));
+                          query->solid_relation(w->pose_a(0), w->poses_b[0]);  // makes what belongs to the bodies
+                          return clocked(
+                              nullptr,
+                              [=](std::size_t k) { return query->solid_relation(w->pose_a(k), w->poses_b[k]); },
+                              [=](const kernel::Solid_contact& told, std::size_t k) {
+                                return told == (*truth)[k] ? 0 : told.dimension < (*truth)[k].dimension ? -1 : 1;
+                              });
+                        }});
   return asked;
 }
 
@@ -369,6 +394,7 @@ std::vector<Named_question> contact_questions(const std::filesystem::path& model
       for (const char* poses : {"", "-rounded"})
         if (workload.name == std::string("degenerate") + shared + poses) {
           add("contacts-of-triangles", contacts_of_triangles);
+          add("relation", solid_relations);
           add("motion", motions);
         }
   }

@@ -32,6 +32,12 @@ struct Triangle_contact {
   void add(Corner corner) { corners[count++] = corner; }
 };
 
+/// True where an edge of one triangle goes through the interior of the other.
+constexpr bool is_crossing(const Triangle_contact::Corner& corner)
+{
+  return std::popcount(unsigned(corner.on_p)) + std::popcount(unsigned(corner.on_q)) == 1;
+}
+
 namespace detail {
 
 /// Finds the set that two triangles in different planes share, when each meets the other's plane.

@@ -10,13 +10,13 @@
 #include "tetracone/kernel/predicate/face_contact.h"
 #include "tetracone/tetratree/contact/face_pairs.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
+#include "tetracone/tetratree/relation/simple_relation.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <type_traits>
@@ -58,10 +58,6 @@ class Interval_placing {
  private:
   std::array<std::array<Interval, 12>, 2> map_;
 };
-
-/// True when vertex v of a body is in the other solid. It is asked only for vertices off the other surface, while the
-/// rounding mode is to nearest.
-using Is_vertex_inside = std::function<bool(int body, Index v)>;
 
 /// The overlap of two simple solids in general position. All that their surfaces share are segments. At each end an
 /// edge of one solid goes through the inside of a face of the other. No face needs to be cut into cells then.
@@ -252,11 +248,8 @@ class Crossing_overlap {
 /// True where two solids are simple, and each piece is a segment at whose ends edges cross the insides of faces.
 inline bool is_general(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found)
 {
-  const auto is_proper = [](const kernel::Triangle_contact::Corner& corner) {
-    return std::popcount(unsigned(corner.on_p)) + std::popcount(unsigned(corner.on_q)) == 1;
-  };
   return a.sides().is_simple() && b.sides().is_simple() && std::ranges::all_of(found.pieces, [&](const Found_piece& x) {
-           return x.by_signs.count == 2 && is_proper(x.by_signs.corners[0]) && is_proper(x.by_signs.corners[1]);
+           return x.by_signs.count == 2 && is_crossing(x.by_signs.corners[0]) && is_crossing(x.by_signs.corners[1]);
          });
 }
 

@@ -8,6 +8,7 @@
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
+#include "tetracone/tetratree/relation/simple_relation.h"
 
 #include <algorithm>
 #include <array>
@@ -96,12 +97,7 @@ class Solid_pair {
       note_lone_edges(body);
       if (found_.is_overlap()) return kernel::Solid_relation::overlap;
     }
-    const auto& [interiors_meet, shares_point, sticks_out, meets_border] = found_;
-    using enum kernel::Solid_relation;
-    if (!sticks_out[0] && !sticks_out[1]) return equal;
-    if (!sticks_out[0]) return meets_border[0] ? covered_by : inside;
-    if (!sticks_out[1]) return meets_border[1] ? covers : contains;
-    return pieces_.empty() && !shares_point ? disjoint : meet;
+    return found_.relation(!pieces_.empty());
   }
 
   /// Returns how much the solids overlap and touch. Requires `place`.
@@ -202,16 +198,6 @@ class Solid_pair {
   }
 
  private:
-  /// What the cells tell, as far as they have been looked at.
-  struct Found {
-    bool interiors_meet = false;
-    bool shares_point = false;           ///< a part of one surface lies in the other solid, and may have no area
-    std::array<bool, 2> sticks_out{};    ///< a point of this body is outside the other
-    std::array<bool, 2> meets_border{};  ///< a point of this body's surface is no inner point of the other
-
-    bool is_overlap() const { return interiors_meet && sticks_out[0] && sticks_out[1]; }
-  };
-
   /// Returns what(cells, seen cells) for a face that meets the other body in these pieces.
   template <class What>
   bool for_cells(int body, Index f, std::span<const std::size_t> pieces, const What& what)
@@ -450,7 +436,7 @@ class Solid_pair {
   std::array<Placed_solid, 2> solid_;
   std::vector<Solid_piece> pieces_;
   std::array<std::map<Index, std::vector<std::size_t>>, 2> pieces_of_;  // by the face, also for faces that are uneven
-  Found found_;
+  Found_regions found_;
 };
 
 }  // namespace tetracone::tetratree

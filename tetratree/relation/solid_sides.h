@@ -62,6 +62,7 @@ class Solid_sides {
     fraction_bits_ = kernel::fraction_bits(polyhedron.vertices);
     find_cutters(tree);
     see_patches();
+    if (is_simple_) see_beyond_edges(tree.model());
     for (Index f = 0; f < faces; ++f)
       if (!faces_[f].is_plain && !std::ranges::binary_search(uneven_, f)) see_cells(f);
   }
@@ -71,6 +72,16 @@ class Solid_sides {
 
   /// True when every face is plain, parts the solid from its outside, and has a neighbour of its patch at each edge.
   bool is_simple() const { return is_simple_; }
+
+  /// What is beyond an edge of a triangle: the other triangle at the edge.
+  struct Beyond_edge {
+    Index apex = covering::none;  ///< its third corner
+    kernel::Sign side =
+        kernel::ZERO;  ///< of the apex: POSITIVE where the solid is: the edge is convex; ZERO in the plane
+  };
+
+  /// Returns what is beyond edge k of face f, from corner k to the next. Requires `is_simple`.
+  const Beyond_edge& beyond(Index f, int k) const { return beyond_[3 * std::size_t(f) + std::size_t(k)]; }
 
   /// Returns the place of a vertex, a number below `place_count`. Vertices of equal coordinates have one place.
   Index place(Index v) const { return place_[v]; }
@@ -120,13 +131,7 @@ class Solid_sides {
   /// Joins plain triangles to patches, and looks at one point of each patch.
   void see_patches()
   {
-    std::vector<covering::Edge_use> uses;
-    for (Index f = 0; f < faces_.size(); ++f)
-      covering::for_each_directed_edge(*polyhedron_, f, [&](Index v, Index w) {
-        const Index from = place_[v], to = place_[w];
-        if (from != to) uses.push_back({kernel::minimum(from, to), kernel::maximum(from, to), f, from < to});
-      });
-    covering::sort_uses(uses, place_.size());
+    const std::vector<covering::Edge_use> uses = edge_uses();
     covering::Union_find patches(faces_.size());
     is_simple_ = std::ranges::all_of(faces_, &Face_sides::is_plain);
     covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
@@ -146,6 +151,43 @@ class Solid_sides {
       faces_[f] = {true, known.front, known.back, known.any_in, known.any_out};
       if (known.front == known.back) is_simple_ = false;
     }
+  }
+
+  /// Returns the uses of all edges between places, sorted.
+  std::vector<covering::Edge_use> edge_uses() const
+  {
+    std::vector<covering::Edge_use> uses;
+    for (Index f = 0; f < faces_.size(); ++f)
+      covering::for_each_directed_edge(*polyhedron_, f, [&](Index v, Index w) {
+        const Index from = place_[v], to = place_[w];
+        if (from != to) uses.push_back({kernel::minimum(from, to), kernel::maximum(from, to), f, from < to});
+      });
+    covering::sort_uses(uses, place_.size());
+    return uses;
+  }
+
+  /// Finds what is beyond all edges. Requires `is_simple`.
+  void see_beyond_edges(const covering::Model<kernel::Adaptive>& model)
+  {
+    beyond_.resize(3 * faces_.size());
+    const std::vector<covering::Edge_use> uses = edge_uses();
+    covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
+      // Returns the corner of a face that is not on the edge. It is opposite to the edge after it.
+      const auto apex = [&](const covering::Edge_use& use) {
+        const covering::Loop v = polyhedron_->loop(use.face, 0);
+        int k = 0;
+        while (place_[v[k]] == use.low || place_[v[k]] == use.high) ++k;
+        return k;
+      };
+      for (const auto& [own, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
+        const covering::Loop v = polyhedron_->loop(own.face, 0);
+        Beyond_edge& beyond = beyond_[3 * std::size_t(own.face) + std::size_t(apex(own) + 1) % 3];
+        beyond.apex = polyhedron_->loop(other.face, 0)[apex(other)];
+        const kernel::Sign side = kernel::volume_sign<kernel::Adaptive>(model.point(v[0]), model.point(v[1]),
+                                                                        model.point(v[2]), model.point(beyond.apex));
+        beyond.side = faces_[own.face].front ? side : -side;
+      }
+    });
   }
 
   /// Writes the sides of the patch of a plain triangle.
@@ -184,6 +226,7 @@ class Solid_sides {
   std::vector<Face_sides> faces_;
   std::map<Index, std::vector<Index>> cutters_;
   std::vector<Index> uneven_;
+  std::vector<Beyond_edge> beyond_;  // of simple solids: by 3 * face + edge
   bool is_simple_ = false;
   int fraction_bits_ = 0;
 };

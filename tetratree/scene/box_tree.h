@@ -43,7 +43,7 @@ class Box_tree {
     new_ = worn_ = {};
   }
 
-  /// True when the tree holds the item.
+  /// True when the tree holds the item. It serves tests.
   bool holds(Item item) const { return item < place_.size() && place_[item] != no_place; }
   /// Returns the number of items of the last `build`, including those removed since.
   std::size_t count() const { return count_; }

@@ -57,8 +57,6 @@ class Pair_list {
     std::uint32_t other;
   };
 
-  /// Returns the number of pairs.
-  std::size_t count() const { return pairs_.size() - free_.size(); }
   Near_bodies& bodies(Number pair) { return bodies_[pair]; }
   const Near_bodies& bodies(Number pair) const { return bodies_[pair]; }
 

@@ -12,6 +12,7 @@
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 #include "tetracone/tetratree/relation/crossing_overlap.h"
+#include "tetracone/tetratree/relation/simple_relation.h"
 #include "tetracone/tetratree/relation/solid_pair.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
 
@@ -42,8 +43,7 @@ class Bvh8_relation_solver : public Relation_solver {
   Solid_relation relation_alone(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
     if (const auto known = known_relation(pose_a, pose_b)) return *known;
-    place(pose_a, pose_b, contacts(pose_a, pose_b));
-    return exactly().pair.relation();
+    return relation_by(pose_a, pose_b, contacts(pose_a, pose_b));
   }
 
   Solid_contact relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
@@ -53,8 +53,7 @@ class Bvh8_relation_solver : public Relation_solver {
     tetratree::Found_contacts found = contacts(pose_a, pose_b);
     const int dimension = dimension_of(found);
     if (known) return {*known, dimension};
-    place(pose_a, pose_b, std::move(found));
-    return {exactly().pair.relation(), dimension};
+    return {relation_by(pose_a, pose_b, std::move(found)), dimension};
   }
 
   Overlap overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
@@ -337,6 +336,24 @@ class Bvh8_relation_solver : public Relation_solver {
     return std::nullopt;
   }
 
+  /// Returns the relation of bodies with these contacts. Requires the poses of `known_relation`, which did not know it.
+  Solid_relation relation_by(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Found_contacts found)
+  {
+    if (are_simple()) {
+      if (!simple_relation_) simple_relation_.emplace(simple(0), simple(1));
+      if (const auto relation = (*simple_relation_)(found, is_vertex_inside())) return *relation;
+    }
+    place(pose_a, pose_b, std::move(found));
+    return exactly().pair.relation();
+  }
+
+  tetratree::Simple_relation::Body simple(int body)
+  {
+    const Body_data& triangles = body_[body]->by_triangles();
+    return {&triangles.polyhedron, &triangles.solid_sides(),
+            body == 0 ? &collision_.placed_a() : &collision_.placed_b()};
+  }
+
   bool are_simple() const
   {
     return body_[0]->by_triangles().solid_sides().is_simple() && body_[1]->by_triangles().solid_sides().is_simple();
@@ -364,6 +381,7 @@ class Bvh8_relation_solver : public Relation_solver {
   tetratree::Bvh8_collision<K> collision_;
   tetratree::Pair_memory memory_;
   std::unique_ptr<Exactly> exactly_;
+  std::optional<tetratree::Simple_relation> simple_relation_;
   std::optional<tetratree::Exit_search> exit_search_;
   std::optional<tetratree::Depth_search> depth_search_;
   std::optional<bool> are_convex_;

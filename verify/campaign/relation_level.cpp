@@ -103,7 +103,9 @@ class Relation_page : public Page<levels::Relations> {
       relation.value = told.alone == of_all ? int(of_all) : -1;
       dimension.value = of_contact;
       const auto holds = [](const std::array<double, 2>& bounds, const kernel::Rational& x) {
-        return bounds[0] <= x && x <= bounds[1];
+        // A number beyond the doubles has an infinite bound, which rationals do not take.
+        return (bounds[0] == -HUGE_VAL || (std::isfinite(bounds[0]) && bounds[0] <= x)) &&
+               (bounds[1] == HUGE_VAL || (std::isfinite(bounds[1]) && x <= bounds[1]));
       };
       overlap.value = (told.overlap.volume == truth_.volume) + (told.volume == kernel::nearest_double(truth_.volume)) +
                       holds(told.bounds.volume, truth_.volume);

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_solid_pair)
 
@@ -106,8 +107,9 @@ BOOST_AUTO_TEST_CASE(faces_without_area_are_points_of_the_solid)
 
 BOOST_AUTO_TEST_CASE(a_vertex_touches_where_a_cell_is_looked_at)
 {
-  const Polyhedron corner = scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
-  const Rational_point a = {0, 0, 0}, b = {1, 0, 0}, c = {0, 1, 0};
+  const Polyhedron corner = scenes::tetrahedron({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 2});
+  // The origin, from which volumes are summed, is off the plane.
+  const Rational_point a = {0, 0, 1}, b = {1, 0, 1}, c = {0, 1, 1};
   const Rational_face bottom({{a, b}, {b, c}, {c, a}});
   const Face_cells cells(bottom, {});
   BOOST_REQUIRE(cells.size() > 0u);
@@ -115,8 +117,8 @@ BOOST_AUTO_TEST_CASE(a_vertex_touches_where_a_cell_is_looked_at)
     const Rational_point at = cells.inner_point(k);
     const double x = at[0].get_d(), y = at[1].get_d();
     for (const double z : {0.0625, -0.0625}) {
-      const Polyhedron needle = scenes::tetrahedron({x, y, 0}, {x - 0.0625, y - 0.03125, z},
-                                                    {x + 0.0625, y - 0.03125, z}, {x, y + 0.0625, z});
+      const Polyhedron needle = scenes::tetrahedron({x, y, 1}, {x - 0.0625, y - 0.03125, 1 + z},
+                                                    {x + 0.0625, y - 0.03125, 1 + z}, {x, y + 0.0625, 1 + z});
       BOOST_TEST(text_of(corner, needle) == (z > 0 ? "covers 0" : "meet 0"));
       for (const bool swapped : {false, true}) {
         Query query(Body(swapped ? needle : corner), Body(swapped ? corner : needle));
@@ -124,6 +126,53 @@ BOOST_AUTO_TEST_CASE(a_vertex_touches_where_a_cell_is_looked_at)
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(signs_tell_the_relation_that_cells_tell)
+{
+  // A face that is a point, at a vertex, adds nothing; but the body is not simple then, and cells decide.
+  const auto by_cells = [](Polyhedron body) {
+    body.add_polygon({0, 0});
+    return Body(body);
+  };
+  const Polyhedron corner = scenes::prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1);
+  const std::vector<Polyhedron> shapes = {scenes::unit_cube(),
+                                          scenes::triangulated(scenes::cube(1)),
+                                          scenes::cube_with_cavity(),
+                                          scenes::star_prism(),
+                                          scenes::cube_with_tunnel(),
+                                          corner,
+                                          scenes::turned(corner),
+                                          scenes::tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}),
+                                          scenes::tetrahedron({0, 0, 0}, {2, 0, 0}, {1, 1, 1}, {1, -1, 1})};
+  scenes::Random random(7);
+  std::map<std::string, int> met;
+  for (std::size_t k = 0; k < 2 * shapes.size() * shapes.size(); ++k) {
+    const Polyhedron &a = shapes[k % shapes.size()], &b = shapes[k / shapes.size() % shapes.size()];
+    Query by_signs{Body(a), Body(b)};
+    Query others{by_cells(a), by_cells(b)};
+    for (int pose = 0; pose < 6; ++pose) {
+      // Half turns about axes, mirrored or not, and swaps of axes keep many faces in common planes.
+      std::array<Rational, 12> m{};
+      const int first = scenes::integer(random, 0, 2), step = scenes::integer(random, 1, 2);
+      for (int i = 0; i < 3; ++i) {
+        m[std::size_t(4 * i + (first + i * step) % 3)] = scenes::integer(random, 0, 1) == 0 ? 1 : -1;
+        m[std::size_t(4 * i + 3)] = Rational(scenes::integer(random, -4, 4)) / 2;
+      }
+      const Pose unmoved, moved = pose == 0 ? unmoved : Pose(m);
+      const Solid_contact told = by_signs.solid_relation(moved, unmoved);
+      BOOST_TEST_CONTEXT("shapes " << k % shapes.size() << " and " << k / shapes.size() % shapes.size() << ", pose "
+                                   << pose)
+      {
+        BOOST_TEST((told.relation == others.solid_relation_alone(moved, unmoved)));
+        BOOST_TEST((by_signs.solid_relation_alone(moved, unmoved) == told.relation));
+      }
+      ++met[text(told)];
+    }
+  }
+  for (const char* relation : {"disjoint -1", "meet 0", "meet 1", "meet 2", "overlap 1", "overlap 2", "equal 2",
+                               "inside -1", "contains -1", "covered_by 2", "covers 2"})
+    BOOST_TEST(met[relation] > 0, relation << " was not met");
 }
 
 BOOST_AUTO_TEST_CASE(a_membrane_is_no_border)
