@@ -55,15 +55,16 @@ struct Found_regions {
 /// - On a common polygon, both solids are on one side of the plane, or on opposite sides. A vertex that is off the
 ///   plane tells which.
 /// - Within a face, a segment and a polygon's border follow an edge of the other body. The two faces at the edge bound a
-///   wedge of its solid, which is less than half of space where the edge is convex. Where the wedge is on one side of
-///   the face's plane, or has a face in it, the plane beyond the edge is outside at a convex edge, inside at a reflex
-///   one.
+///   wedge of its solid, which is less than half of space where the edge is convex. The edge parts the face's plane into
+///   two halves. Let both faces at the edge be on one side of that plane, or in it. Then a half that is on neither face
+///   is outside at a convex edge, and inside at a reflex one. Otherwise one half is inside and one is outside.
 /// - A face without a segment in its inside is one region, and its corners off the other surface are on the region's
 ///   border. Regions that have such a corner in common are alike, and one corner decides for all.
 /// Each region of a face with a segment in its inside has a part of that segment or of another on its border.
 ///
-/// Two contacts show that the solids overlap. An edge goes through the inside of a face: `is_crossing`. Or a segment is
-/// on no edge of either face: near its inner points the two planes part space into four wedges, one in both solids.
+/// Two contacts show that the solids overlap. The first is an edge that goes through the inside of a face:
+/// `is_crossing`. The second is a segment that is on no edge of either face. Near its inner points the two planes part
+/// space into four wedges, and one is in both solids.
 class Simple_relation {
  public:
   using K = kernel::Adaptive;
