@@ -54,10 +54,10 @@ struct Found_regions {
 /// `Solid_pair` do. This is known of a region:
 /// - On a common polygon, both solids are on one side of the plane, or on opposite sides. A vertex that is off the
 ///   plane tells which.
-/// - Within a face, a segment and a polygon's border follow an edge of the other body. The two faces at the edge bound a
-///   wedge of its solid, which is less than half of space where the edge is convex. The edge parts the face's plane into
-///   two halves. Let both faces at the edge be on one side of that plane, or in it. Then a half that is on neither face
-///   is outside at a convex edge, and inside at a reflex one. Otherwise one half is inside and one is outside.
+/// - Within a face, a segment and a polygon's border follow an edge of the other body. The two faces at the edge bound
+///   a wedge of its solid, which is less than half of space where the edge is convex. The edge parts the face's plane
+///   into two halves. Let both faces at the edge be on one side of that plane, or in it. Then a half that is on neither
+///   face is outside at a convex edge, and inside at a reflex one. Otherwise one half is inside and one is outside.
 /// - A face without a segment in its inside is one region, and its corners off the other surface are on the region's
 ///   border. Regions that have such a corner in common are alike, and one corner decides for all.
 /// Each region of a face with a segment in its inside has a part of that segment or of another on its border.

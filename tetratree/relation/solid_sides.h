@@ -73,11 +73,11 @@ class Solid_sides {
   /// True when every face is plain, parts the solid from its outside, and has a neighbour of its patch at each edge.
   bool is_simple() const { return is_simple_; }
 
-  /// What is beyond an edge of a triangle: the other triangle at the edge.
+  /// The other triangle at an edge of a triangle.
   struct Beyond_edge {
     Index apex = covering::none;  ///< its third corner
-    kernel::Sign side =
-        kernel::ZERO;  ///< of the apex: POSITIVE where the solid is: the edge is convex; ZERO in the plane
+    /// The side of the apex: POSITIVE where the solid is, at a convex edge; ZERO in the triangle's plane.
+    kernel::Sign side = kernel::ZERO;
   };
 
   /// Returns what is beyond edge k of face f, from corner k to the next. Requires `is_simple`.
