@@ -58,9 +58,9 @@ struct Found_regions {
 ///   a wedge of its solid, which is less than half of space where the edge is convex. The edge parts the face's plane
 ///   into two halves. Let both faces at the edge be on one side of that plane, or in it. Then a half that is on neither
 ///   face is outside at a convex edge, and inside at a reflex one. Otherwise one half is inside and one is outside.
-/// - A face without a segment in its inside is one region, and its corners off the other surface are on the region's
-///   border. Regions that have such a corner in common are alike, and one corner decides for all.
-/// Each region of a face with a segment in its inside has a part of that segment or of another on its border.
+/// - A face without a segment or a polygon in its inside is one region, and its corners off the other surface are on
+///   the region's border. Regions that have such a corner in common are alike, and one corner decides for all.
+/// Each region of any other face has a part of such a segment, or of a polygon's border, on its border.
 ///
 /// Two contacts show that the solids overlap. The first is an edge that goes through the inside of a face:
 /// `is_crossing`. The second is a segment that is on no edge of either face. Near its inner points the two planes part
@@ -166,6 +166,7 @@ class Simple_relation {
     const Index own = body == 0 ? piece.face_a : piece.face_b, other = body == 0 ? piece.face_b : piece.face_a;
     const Contact& contact = piece.by_signs;
     bool& is_cut = faces_[body][own];
+    if (contact.count > 2) is_cut = true;  // also where the polygon is the whole face
     for (int k = 0; k < contact.count; ++k)
       if (const kernel::Edge_set edges = on(body, contact.corners[k]); std::popcount(edges) == 2) {
         const Index v = body_[body].polyhedron->loop(own, 0)[std::size_t(kernel::corner_of(edges))];
@@ -229,7 +230,7 @@ class Simple_relation {
   Found_regions regions_;
   bool is_known_ = true;                          // false: some region could not be looked at
   std::array<std::vector<bool>, 2> is_on_other_;  // by place: the vertex is on the other surface
-  std::array<std::map<Index, bool>, 2> faces_;    // that have a piece: whether one goes through the inside
+  std::array<std::map<Index, bool>, 2> faces_;    // that have a piece: whether one has an inner point of the face
 };
 
 }  // namespace tetracone::tetratree

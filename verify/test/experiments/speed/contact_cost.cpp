@@ -59,9 +59,11 @@ BOOST_AUTO_TEST_CASE(every_question_has_its_verdicts_and_exact_ones_are_right)
       {"point", trees},
       {"point by table", {"adaptive locator"}},
       {"ray", {"adaptive tree", "double moeller-trumbore"}},
-      {"scene", trees}};
+      {"scene", trees},
+      {"solid relation", {"adaptive tree"}}};
   BOOST_TEST((subjects == expected));
-  for (const std::string question : {"surface", "contacts", "contacts of triangles", "distance", "motion"})
+  for (const std::string question :
+       {"surface", "contacts", "contacts of triangles", "solid relation", "distance", "motion"})
     for (const std::string shared : {"face", "edge", "vertex"})
       BOOST_TEST(in_contact.contains({question, "shared " + shared}), question + ", " + shared);
   for (const std::string at : {"on a vertex", "on an edge", "on a face"})
