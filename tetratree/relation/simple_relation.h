@@ -58,8 +58,8 @@ struct Found_regions {
 ///   a wedge of its solid, which is less than half of space where the edge is convex. The edge parts the face's plane
 ///   into two halves. Let both faces at the edge be on one side of that plane, or in it. Then a half that is on neither
 ///   face is outside at a convex edge, and inside at a reflex one. Otherwise one half is inside and one is outside.
-/// - A face without a segment or a polygon in its inside is one region, and its corners off the other surface are on
-///   the region's border. Regions that have such a corner in common are alike, and one corner decides for all.
+/// - A face without a segment or a polygon in its inside is one region. Its corners off the other surface are on the
+///   region's border. Regions that have such a corner in common are alike, and one corner decides for all.
 /// Each region of any other face has a part of such a segment, or of a polygon's border, on its border.
 ///
 /// Two contacts show that the solids overlap. The first is an edge that goes through the inside of a face:
