@@ -2,6 +2,7 @@
 
 #include "experiments/queries/points_truth.h"
 #include "experiments/speed/benchmark_workload.h"
+#include "experiments/support/heap.h"
 #include "experiments/support/model_file.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/write.h"

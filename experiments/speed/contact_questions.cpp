@@ -148,7 +148,7 @@ Contact_question contacts_of_triangles(const Shared_workload& w)
   return asked;
 }
 
-/// Which of the eight relations solids of triangles have, and the dimension of the contact.
+/// A query tells which of the eight relations solids of triangles have, and the dimension of the contact.
 Contact_question solid_relations(const Shared_workload& w)
 {
   const auto a = std::make_shared<const covering::Polyhedron>(triangulated(w->a)),

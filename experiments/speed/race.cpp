@@ -1,6 +1,7 @@
 #include "experiments/speed/race.h"
 
-#include <malloc.h>
+#include "experiments/support/heap.h"
+
 #include <unistd.h>
 
 #include <ctime>
@@ -24,13 +25,6 @@ double clock_ns()
     return ns;
   }();
   return least;
-}
-
-/// Returns the bytes of the heap in use.
-std::size_t heap()
-{
-  const auto info = mallinfo2();
-  return info.uordblks + info.hblkhd;
 }
 
 /// Returns the numbers of `Race::cold_poses` poses, evenly spread over the course; for a short course, one in twenty.
@@ -94,9 +88,9 @@ Prepared_contestant prepare(const Contestant& contestant, const Race_course& cou
     prepared.build.nodes_after_first = prepared.pair->node_count();
     prepared.pair.reset();
   }
-  const std::size_t before = heap();
+  const std::size_t before = heap_bytes();
   prepared.build.milliseconds = build(contestant.prepare);
-  prepared.build.bytes = heap() - before + (prepared.pair ? prepared.pair->mapped_bytes() : 0);
+  prepared.build.bytes = heap_bytes() - before + (prepared.pair ? prepared.pair->mapped_bytes() : 0);
   constexpr double soon_milliseconds = 25;
   if (!prepared.pair || prepared.build.milliseconds > soon_milliseconds) return prepared;
   prepared.pair.reset();

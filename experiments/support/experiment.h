@@ -11,21 +11,12 @@
 #include "experiments/support/progress.h"
 #include "experiments/support/resumable_csv.h"
 
-#include <malloc.h>
-
 #include <array>
 #include <cstddef>
 #include <iterator>
 #include <memory>
 
 namespace tetracone::experiments {
-
-/// Returns the bytes of the heap in use.
-inline std::size_t heap_bytes()
-{
-  const auto info = mallinfo2();
-  return info.uordblks + info.hblkhd;
-}
 
 /// Returns the number of elements of `in` that `from` lacks. Requires sorted lists.
 template <class List>

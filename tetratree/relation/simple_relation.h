@@ -172,7 +172,8 @@ class Simple_relation {
         const Index v = body_[body].polyhedron->loop(own, 0)[std::size_t(kernel::corner_of(edges))];
         is_on_other_[body][body_[body].sides->place(v)] = true;
       }
-    for (int k = contact.count == 2; k < contact.count && contact.count > 1; ++k) {
+    if (contact.count == 1) return;
+    for (int k = contact.count == 2; k < contact.count; ++k) {
       if (along(body, contact, k) != 0) continue;
       is_cut = true;
       const int edge = std::countr_zero(unsigned(along(1 - body, contact, k)));

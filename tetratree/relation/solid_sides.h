@@ -61,8 +61,9 @@ class Solid_sides {
     }
     fraction_bits_ = kernel::fraction_bits(polyhedron.vertices);
     find_cutters(tree);
-    see_patches();
-    if (is_simple_) see_beyond_edges(tree.model());
+    const std::vector<covering::Edge_use> uses = edge_uses();
+    see_patches(uses);
+    if (is_simple_) see_beyond_edges(uses, tree.model());
     for (Index f = 0; f < faces; ++f)
       if (!faces_[f].is_plain && !std::ranges::binary_search(uneven_, f)) see_cells(f);
   }
@@ -129,9 +130,8 @@ class Solid_sides {
   }
 
   /// Joins plain triangles to patches, and looks at one point of each patch.
-  void see_patches()
+  void see_patches(std::span<const covering::Edge_use> uses)
   {
-    const std::vector<covering::Edge_use> uses = edge_uses();
     covering::Union_find patches(faces_.size());
     is_simple_ = std::ranges::all_of(faces_, &Face_sides::is_plain);
     covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
@@ -167,10 +167,9 @@ class Solid_sides {
   }
 
   /// Finds what is beyond all edges. Requires `is_simple`.
-  void see_beyond_edges(const covering::Model<kernel::Adaptive>& model)
+  void see_beyond_edges(std::span<const covering::Edge_use> uses, const covering::Model<kernel::Adaptive>& model)
   {
     beyond_.resize(3 * faces_.size());
-    const std::vector<covering::Edge_use> uses = edge_uses();
     covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
       // Returns the corner of a face that is not on the edge. It is opposite to the edge after it.
       const auto apex = [&](const covering::Edge_use& use) {
