@@ -11,11 +11,11 @@ REGIMES = {"metres": "metres", "ladder": "ladder", "lego": "lego", "clear": "cle
            "sequences": "sliding", "nested": "nested"}
 OURS = ("adaptive tree", "double tree", "float tree")
 STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; max-width: 1240px; margin: 2em auto; padding: 0 1em; color: #222 }
-table { border-collapse: collapse; margin: 1em 0; font-size: 13px } th, td { padding: 2px 7px; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap }
-th { font-weight: 600; vertical-align: bottom } td:first-child, th:first-child { text-align: left } .group td { font-weight: 600; background: #f2f2f2; text-align: left }
-.cell { border-left: 2px solid #fff } .strip { font-size: 12px } .strip td:first-child { min-width: 24em } .strip th { white-space: normal } .none { color: #bbb } .note { color: #555; max-width: 75em } .bad { background: #e8a090 } .ours { font-style: italic }
-.bar { display: inline-block; height: 9px; background: #7a9cc0 } .text { text-align: left; white-space: normal } figure { margin: 1em 0 }
+body { font: 15px/1.45 system-ui, sans-serif; max-width: 1340px; margin: 2em auto; padding: 0 1em; color: #222 }
+table { border-collapse: collapse; margin: 1em 0; font-size: 12px } th, td { padding: 2px 3px; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap }
+th { font-weight: 600; vertical-align: bottom; white-space: normal } td:first-child, th:first-child { text-align: left } .group td { font-weight: 600; background: #f2f2f2; text-align: left }
+.cell { border-left: 2px solid #fff } .strip td:first-child { min-width: 24em } .none { color: #bbb } .note { color: #555; max-width: 75em } .bad { background: #e8a090 } .ours { font-style: italic }
+.bar { display: inline-block; height: 9px; background: #7a9cc0 } .text { text-align: left; white-space: normal; overflow-wrap: break-word } .text.long { min-width: 22em } figure { margin: 1em 0 }
 """
 
 
@@ -94,7 +94,7 @@ def heat_map(field, question):
                 body += cell(number(r, "missed"), number(r, "invented"), number(r, "failed"), number(r, "n")) if r else cell(0, 0, 0, 0)
             n, wrong = sum(number(r, "n") for r in rows.values()), sum(number(r, "missed", "invented") for r in rows.values())
             share = n / max(1, n + sum(number(r, "declined") for r in rows.values()))
-            body += f'<td>{percent(wrong, n)}</td><td title="{n} asked"><span class="bar" style="width: {60 * share:.0f}px"></span> {100 * share:.0f} %</td>'
+            body += f'<td>{percent(wrong, n)}</td><td title="{n} asked"><span class="bar" style="width: {24 * share:.0f}px"></span> {100 * share:.0f} %</td>'
             for kind in kinds:
                 r = common.get((subject, kind))
                 body += cell(number(r, "missed"), number(r, "invented"), number(r, "failed"), number(r, "n")) if r else cell(0, 0, 0, 0)
@@ -285,9 +285,9 @@ def engines(field):
             why = ", ".join(f'{r["regime"]} {r["n"]}' for r in field.of("declined", subject=s))
             failures = ", ".join(f'{r["regime"]} {r["n"]}' + (f' <small>{html.escape(r["text"])}</small>' if r["text"] else "") for r in field.of("failure", subject=s))
             sizes = h.get("sizes")
-            body += (f'<tr><td>{name_of(field, s)}</td><td>{html.escape(h.get("library") or h.get("version", "built in"))}</td><td>{h.get("precision", "")}</td><td>{", ".join(h.get("questions", []))}</td>'
+            body += (f'<tr><td>{name_of(field, s)}</td><td class="text">{html.escape(h.get("library") or h.get("version", "built in"))}</td><td>{h.get("precision", "")}</td><td class="text">{", ".join(h.get("questions", []))}</td>'
                      f'<td>{h.get("bodies", "")}</td><td>{h.get("poses", "")}</td><td>{h.get("touching", "")}</td>'
-                     f'<td>{f"{sizes[0]} .. {sizes[1]} m" if sizes else ""}</td><td>{why}</td><td class="text">{failures}</td></tr>\n')
+                     f'<td>{f"{sizes[0]} .. {sizes[1]} m" if sizes else ""}</td><td class="text">{why}</td><td class="text long">{failures}</td></tr>\n')
     return ("<table><tr><th>engine</th><th>version</th><th>numbers</th><th>takes</th><th>bodies</th><th>poses</th><th>sets</th><th>sizes advised</th>"
             f"<th>not asked, of the first cases</th><th>failures, and last words</th></tr>\n{body}</table>")
 
