@@ -331,7 +331,7 @@ absolute tolerances for bodies of about a metre: read the middle of the figure f
 ladder, and then decide without error: what is wrong is the rounding's.</p>
 {rounding(field)}
 <h2>Other kinds of question</h2>
-<p class="note">{"" if field.of("kind") else "Not asked. "}Of the engines that can be asked more than whether bodies collide. <i>meets</i>, <i>surface</i> and <i>solid</i> count like the cells above. A
+<p class="note">{"" if field.of("kind") else "Not asked. "}Some engines can be asked more than whether bodies collide. <i>meets</i>, <i>surface</i> and <i>solid</i> count like the cells above. A
 number is wrong where it is not the double nearest to the exact one: <i>first t</i>, <i>time</i> and a distance count as missed where they are too small, as invented where they are too large. A float
 engine's numbers are therefore nearly all wrong, by some of its ulps.</p>
 {kinds(field)}
