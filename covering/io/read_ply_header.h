@@ -54,12 +54,11 @@ struct Ply_element {
 struct Ply_header {
   enum class Format { text, little_endian, big_endian } format = Format::text;
   std::vector<Ply_element> elements;
-  bool cgal_knows = true;
+  bool cgal_knows = true;  ///< as `Scan::cgal_knows`
 };
 
-/// Returns a PLY file's text with line feeds at the ends of header lines, also where the file has carriage returns
-/// only. `copied` holds the bytes where they had to be changed. The bytes behind the header of a binary file are never
-/// changed.
+/// Returns the text of a PLY file. Where carriage returns alone end the lines of its header, they become line feeds;
+/// `copied` then holds the result. The bytes after the header are never changed.
 inline std::string_view with_line_feeds(std::string_view text, std::string& copied)
 {
   constexpr std::string_view end = "end_header";
@@ -87,7 +86,7 @@ inline bool is_binary_ply(std::string_view text)
   return false;
 }
 
-/// Returns a PLY header, read up to the line `end_header`. Throws Input_error.
+/// Returns a PLY header, from the first line up to the line `end_header`. Throws Input_error.
 inline Ply_header scan_ply_header(Text_lines& lines)
 {
   Ply_header header;

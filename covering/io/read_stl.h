@@ -37,9 +37,9 @@ struct Stl_layout {
 };
 
 /// Returns the layout of a binary STL. The count may be 0, as by a writer that cannot go back to it: then the triangles
-/// go up to the end. Each triangle may be followed by as many bytes of attributes as its last two bytes say. Behind the
-/// last triangle there may be bytes that are no more triangles, such as a line feed. Throws Input_error for any other
-/// size.
+/// go up to the end. Each triangle may be followed by as many bytes of attributes as its last two bytes say. The last
+/// triangle may be followed by other bytes, such as a line feed. Their number is no multiple of 50, and they are no
+/// binary STL of their own. Throws Input_error for any other size.
 inline Stl_layout layout_of_binary_stl(const std::string& file, std::string_view text)
 {
   if (text.size() < 84)
@@ -135,8 +135,8 @@ class Stl_words {
 
   /// True when the current word is the keyword, in any case of letters. It records what `begins_with` does.
   bool is(std::string_view keyword) { return begins_with(keyword) && word().size() == keyword.size(); }
-  /// True when the current word begins with the keyword, in any case of letters. It records a longer word, and letters
-  /// that are not lower.
+  /// True when the current word begins with the keyword, in any case of letters. It records a longer word, and capital
+  /// letters. Requires a keyword in small letters.
   bool begins_with(std::string_view keyword)
   {
     const bool begins = std::ranges::equal(word().substr(0, keyword.size()), keyword,
@@ -277,8 +277,8 @@ inline Scan scan_stl_text(const std::string& file, std::string_view text)
   return scan;
 }
 
-/// True when the file is text. It then begins with `solid`, in any case of letters, behind white space. It holds no
-/// zero byte, and has not the size of a binary file with its count of triangles.
+/// True when the file is text. It begins with `solid`, in any case of letters, after white space and a UTF-8 byte order
+/// mark, if any. It holds no zero byte, and does not have the size of a binary file with its count of triangles.
 inline bool is_stl_text(std::string_view text)
 {
   if (has_size_of_binary_stl(text)) return false;

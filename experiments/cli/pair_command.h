@@ -9,7 +9,7 @@
 #include "experiments/support/scene_options.h"
 #include "tetracone/kernel/number/number.h"
 
-/// What the commands share that answer a line for each pose, motion, point or ray.
+/// The common parts of commands that answer one line for each pose, motion, point or ray.
 namespace tetracone::experiments {
 
 /// Where answers go, and whether they are timed. A command adds the options that it has.

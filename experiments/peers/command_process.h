@@ -11,8 +11,8 @@
 
 namespace tetracone::experiments {
 
-/// A program as a child that exchanges lines or bytes over pipes to its standard input and output. The destructor kills
-/// it and its process group. So do its own end and the end of our program. Not thread-safe.
+/// A program as a child that exchanges lines or bytes over pipes to its standard input and output. Its process group is
+/// killed by the destructor, when the child itself ends, and when our program ends. Not thread-safe.
 class Command_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;

@@ -14,11 +14,13 @@ namespace tetracone::experiments {
 /// `full`: all poses on the large objects.
 void run_ablation(const Experiment_options& options);
 
-/// Repeats the claims of JS08 section 4 about the paper's tree other than frames per second, in double. These are the
-/// cost and gain of adjusting bounding tetrahedra, the depth that suits a relative size, and its effect on the number
-/// of tests. Another is the effect of B's turning. Meshes of the cat's and the horse's size are asked against
-/// themselves at relative sizes 1:1 to 1:16. Writes out/paper.csv, out/paper.svg and .pdf, and prints the tables.
-/// `full`: every pose for every tree.
+/// Tests the claims of JS08 section 4 about the paper's tree, except frames per second, in double:
+/// - the cost and gain of adjusting bounding tetrahedra;
+/// - the depth that suits a relative size, and the effect of that size on the number of tests;
+/// - the effect of B's rotation.
+///
+/// Meshes of the cat's and the horse's size are asked against themselves at relative sizes 1:1 to 1:16. Writes
+/// out/paper.csv, out/paper.svg and .pdf, and prints the tables. `full`: every pose for every tree.
 void run_paper(const Experiment_options& options);
 
 /// Measures the fast tree and the paper's against FCL, CGAL, Bullet and ODE in one run, with shared poses and judged

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-/// The cones over the common parts of the faces of two solids, over a number type N. Integers give exact sums,
-/// intervals give enclosures.
+/// The cones over the parts of each solid's faces that are inside the other solid, over a number type N. Integers give
+/// exact sums, intervals give enclosures.
 namespace tetracone::kernel {
 
 /// Returns the sign. Throws CGAL::Uncertain_conversion_exception where an interval does not tell it.
@@ -60,7 +60,7 @@ struct Edge_crossing {
   }
 };
 
-/// A sum of volumes times 6 and of moments times 24.
+/// A sum of volumes, times 6, and of moments (volume times centroid), times 24.
 template <class N>
 class Cone_sums;
 
@@ -147,7 +147,8 @@ class Cone_sums<mpz_class> {
   std::size_t count_ = 0;
 };
 
-/// The cones over the common parts of the faces of two solids, of which each contact is a proper crossing.
+/// The cones over the parts of each solid's faces that are inside the other. Requires that every contact of two faces
+/// is a proper crossing.
 ///
 /// Face f has the corners p, q, r. The part of f in the other solid is bounded by contacts and by parts of f's edges.
 /// Its cone is the sum of the cones over the triangles (p, x, y) of this border's segments xy. Those on the edges at p

@@ -13,11 +13,11 @@ namespace tetracone::kernel {
 
 /// The times from a dyadic start up to a contact time T, without T, and the signs of forms at all of them.
 ///
-/// Features that land together have forms that vanish at T. No algebraic number is made for each of them. Forms are
-/// given over the times from the start to a dyadic end, T or a little later. A form without variations there has one
-/// sign (Descartes). Where T is before the end, G is a form whose only root there is T, if one is known. A form with
-/// the root T is G times a quotient. If the quotient has no variations, both have one sign before T. A form equal to G
-/// up to a factor is the plainest case.
+/// Features that land together have forms that vanish at T. Their signs are found here without an algebraic number for
+/// each. Forms are given over the times from the start to a dyadic end, which is T or a little later. A form without
+/// variations there has one sign (Descartes). Where T is before the end, G is a form whose only root there is T, if one
+/// is known. A form divisible by G has one sign before T if the quotient has no variations: then G and the quotient
+/// each have one.
 class Times_before {
  public:
   /// The times from the start of the cell `from` up to `before`, which must be later. May refine `before`.

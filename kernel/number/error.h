@@ -6,7 +6,7 @@
 namespace tetracone {
 
 /// An error of a caller or of a file. `what()` is one line, "what is wrong; what was expected". Every exception that
-/// the library throws is an Error, except for want of memory.
+/// the library throws is an Error, except std::bad_alloc.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -10,8 +10,8 @@
 
 namespace tetracone {
 
-/// The part of a placed body that holds a point. It is the corner or edge of a face where the point is on one, else the
-/// face.
+/// The part of a placed body that holds a point: the corner or edge of a face if the point is on one. Else it is the
+/// face, or the solid's interior for a point of no face.
 struct Holder {
   /// The kind of the part; `interior` is the solid without its surface.
   enum class Kind { vertex, edge, face, interior };

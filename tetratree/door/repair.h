@@ -10,15 +10,15 @@
 
 namespace tetracone {
 
-/// A polyhedron made legal, and the changes.
+/// A repaired polyhedron, and the changes.
 struct Repaired {
-  Polyhedron polyhedron;  ///< legal
+  Polyhedron polyhedron;  ///< each face is exactly planar; an open surface may stay open
   std::vector<covering::Index>
       replaced;         ///< faces that were not planar, by their old numbers; each is now some triangles
   bool turned = false;  ///< faces were turned round so that the surface closes
 };
 
-/// Returns the polyhedron made legal. Each face that is not exactly planar, and no other, is replaced by triangles with
+/// Returns the polyhedron repaired. Each face that is not exactly planar, and no other, is replaced by triangles with
 /// the same edges. Faces are turned round where that alone closes an open surface.
 Repaired repaired(Polyhedron polyhedron);
 

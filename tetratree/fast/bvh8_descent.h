@@ -128,6 +128,7 @@ inline Stop descend(Pair_stack& stack, Both_trees& trees)
 
 /// Opens all pairs, level by level, and returns why it stopped. It takes the pairs of `level`, the top one first, and
 /// writes their parts to `next`. It adds pairs of leaves that it finds to `leaves`, and stops at one that it is given.
+/// After a stop, both stacks hold the pairs that are left for the next call.
 inline Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Box_ids>& leaves)
 {
   static auto* const fastest = TETRACONE_SIMD_FASTEST(descend_to_leaves_simd);

@@ -44,8 +44,8 @@ Tetra_cone cone_towards(const kernel::Bound_point<B>& direction, int level)
 /// intervals in its test). Leaves lie at different depths, so dmax is the longest edge over *all* leaves, and the level
 /// is that of the deepest leaf. The rays of shallower cones are rays of that level too. Hence every V'i is on a segment
 /// from V0 to a vertex of the hull. The paper's own words, "the bounding tetrahedra associated to a level", hold only
-/// where all leaves are at that level. The plane is moved out if the leaves are unknown (nodes on demand), or the level
-/// is deeper. It is moved to the sphere about V0 that holds all vertices.
+/// where all leaves are at that level. The leaves may be unknown (nodes on demand), or the level deeper than
+/// `deepest_convex_level`. Then the plane touches the sphere about V0 that holds all vertices.
 template <class B, bool sound>
 class Regular_hull {
  public:

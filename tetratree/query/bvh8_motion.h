@@ -97,8 +97,8 @@ class Bvh8_motion {
     kernel::Moving_box hull;
     std::array<Vertex, 3> axis;
   };
-  /// A box of each body. `low` and `until` bound the times when they may meet, from 0 to 1 over a span. `size` is the
-  /// signed size in local units.
+  /// A box of each body. `low` and `until` bound the times when they may meet. The span has the times from 0 to 1; a
+  /// pair of a longer span may have times outside. `size` is the signed size in local units.
   struct Pair {
     float low, until;
     std::array<float, 2> size;
@@ -171,7 +171,7 @@ class Bvh8_motion {
         }
         const Pair pair = queue_.pop();
         if (double(pair.low) > features_.latest() || features_.are_parted(pair.box)) continue;
-        // Where there will be halves, the second may be needless.
+        // A pair of the second half alone waits once any pair does: the second half may turn out needless.
         const bool is_of_leaves = pair.is_leaf(0) && pair.is_leaf(1);
         if (turning.is_long(pair, share_of_size) || (!later.empty() && pair.low >= 0.5f))
           later.push_back(pair);

@@ -170,8 +170,8 @@ inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const ker
   return exact_pose(result, pose.is_rational() || first.is_rational());
 }
 
-/// Returns the pose with its translation times 2^exponent: images of points that are scaled by it are scaled by it too.
-/// A pose of doubles stays one. Returns nothing when 2^exponent is no double.
+/// Returns the pose with its translation times 2^exponent. It maps 2^exponent x to 2^exponent times the image of x. A
+/// pose of doubles stays one. Returns nothing when 2^exponent is no double.
 inline std::optional<kernel::Pose> scaled(const kernel::Pose& pose, int exponent)
 {
   const double power = std::ldexp(1.0, exponent);

@@ -7,7 +7,7 @@
 
 namespace tetracone::verify::integer_truth {
 
-/// The volumes of what both solids have, and of what one has alone.
+/// The volumes of the intersection of two solids and of their two differences.
 struct Volumes {
   mpq_class both, only_a, only_b;
 };

@@ -116,7 +116,7 @@ inline Proved_bounds motion_proofs()
   add("motion_filter::sum_error", of_filter, filter::sum_error, detail::error_when_halved<3>(all_three) * bound, 1.14);
   add("motion_filter::volume_error", of_filter, filter::volume_error,
       detail::error_when_halved<4>(filter::scaled(kernel::dot_form(crosses, vector))) * bound, 1.12);
-  // Truncated, and divided by a binomial.
+  // A coefficient is truncated, and divided by a binomial.
   const Static_error coefficient(1, 2 * roundoff * once);
   add("motion_filter::rounded_error", of_filter, filter::rounded_error,
       detail::error_when_halved<4>(
@@ -128,8 +128,7 @@ inline Proved_bounds motion_proofs()
     error_of_value = std::max(error_of_value, detail::error_of_value(count));
   add("Time_root::value_error", "kernel/motion/time_root.h", kernel::Time_root::value_error, error_of_value, 1.62);
 
-  // A coefficient of a span is truncated and divided, and then an average of averages; a local point has an error of 2
-  // u.
+  // A coefficient of a span is truncated and divided, and then an average of averages. A local point has two roundings.
   Rounding_count entry_of_map = entry(entry(entry(entry(Rounding_count()))));
   constexpr int most_halvings = 60, averages = int(kernel::Motion_span::most_coefficients) - 1;
   for (int k = 0; k < most_halvings * averages; ++k) entry_of_map = entry(entry_of_map);
@@ -142,11 +141,11 @@ inline Proved_bounds motion_proofs()
   const Rounding_count difference_of_ranges = (kernel::dot(axis, row) + reach) + reach;
   add("few_roundings, of moving boxes", "kernel/motion/motion_span.h", kernel::few_roundings,
       1 / difference_of_ranges.least(roundoff) * bound - 1, 18.6);
-  // A quotient of at most 1, and the operations that combine it with this.
+  // A time is a quotient of at most 1, and one more operation adds or subtracts this.
   const Rounding_count zero = kernel::Motion_span::zero_between(Rounding_count(), Rounding_count());
   add("Motion_span::rounding_of_times", "kernel/motion/motion_span.h", kernel::Motion_span::rounding_of_times,
       1 / (zero * Rounding_count()).least(roundoff) - 1, 2.67);
-  // Otherwise the points are placed before.
+  // The other way: points are placed first, and then projected on the axis.
   const Rounding_count coordinate = kernel::dot(row, point) + entry_of_map,
                        difference_of_points =
                            kernel::dot(axis, std::array{coordinate, coordinate, coordinate}) + axis[0];

@@ -127,7 +127,8 @@ inline Proved_bounds scene_proofs()
   add("placed_rounding, of a turned box's centre", turned, 4 * tetratree::placed_rounding,
       root_3() * of_centre * once_in_float, u, 7.4, "gappa");
 
-  // A step, summed over rows: both centres are off, and the entries of what turns, each rounded once, by less.
+  // A step, summed over rows. The images of both centres have the largest error. Entries of the rotation are rounded
+  // once, and have a smaller one.
   std::vector<Slice> terms_of_step;
   for (int k = 0; k < 3; ++k) terms_of_step.push_back(slice_of(15, {4 + k, 8 + k, 14}));
   terms_of_step.push_back(slice_of(15, {7, 14}));
@@ -153,7 +154,7 @@ inline Proved_bounds scene_proofs()
   add("step_rounding, of reaches in halves", extent, tetratree::step_rounding,
       detail::lost_with_root(over_rows(in_halves), 2, u), u, 5.82);
 
-  // Absolute errors, over that of one product or entry. What `Body_extent::underflow` loses itself is a share of it: a
+  // Absolute errors, as multiples of that of one product or entry. `Body_extent::underflow` itself is rounded in a
   // product and six sums.
   const Rational one_loss = Double_range::lost_by_product();
   const Rational of_underflow = power(1 / (1 - Rational(u)), 7);
@@ -166,8 +167,8 @@ inline Proved_bounds scene_proofs()
   add("placed_underflow", extent, tetratree::placed_underflow,
       std::max(detail::lost_by_box(0, 0), detail::lost_by_step(0, 0)) * of_underflow, 0x1p-540, 1.63);
 
-  // A certificate. The vector between the positions has the error of one rounding to double and one to float. Later it
-  // gets one to double, relative to its value then and to the change.
+  // A certificate keeps the vector between the positions, rounded to double and then to float. The vector of a later
+  // frame has one rounding to double, relative to the kept vector and to the change.
   const std::string certificates = "tetratree/memory/pair_certificate.h";
   const Rational once_less = 1 - Rational(u), less_in_float = 1 - Rational(of_float);
   const Rational off_then = (1 + Rational(u)) * (1 + Rational(of_float)) - 1;

@@ -37,7 +37,7 @@ std::vector<Exact_segment> maximal_segments(std::vector<Exact_segment> segments)
 Contact_piece_form piece_form(std::uint32_t face_a, std::uint32_t face_b, kernel::Piece kind, kernel::Feature in_a,
                               kernel::Feature in_b, const std::vector<std::vector<Exact_point>>& loops);
 
-/// Returns the list with the polygons of each pair of faces joined into one.
+/// Returns the list, sorted, with the polygons of each pair of faces joined into one.
 Contact_forms with_joined_polygons(const Contact_forms& forms);
 
 /// Returns the dimension of all pieces together; -1 where there are none.

@@ -44,7 +44,8 @@ struct Surface_piece {
   int body;                            ///< whose triangle it is a part of: 0 or 1
   std::array<bool, 2> is_on{};         ///< whether it lies on the surface of body 0, of body 1
   bool is_first = true;  ///< no element before this one, of both surfaces in their order, contains the piece
-  /// The winding numbers of body 0 and of body 1, below the piece and above it, along an axis that crosses it.
+  /// winding[body][side]: the winding number below the piece (side 0) or above it (side 1), along an axis that crosses
+  /// it.
   std::array<std::array<int, 2>, 2> winding{};
 
   /// True when the side, 0 below or 1 above, is in both solids.
