@@ -27,8 +27,8 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
 ///
 /// - the keyword OFF, which may be absent, with ST, C and N before it in any order;
 /// - the counts of vertices, faces and (optionally) edges on one line;
-/// - a line a vertex;
-/// - a line a face.
+/// - one line for each vertex;
+/// - one line for each face.
 ///
 /// Colours, normals and texture coordinates are skipped. Lines behind the last face are left out, with a note, unless
 /// one could be a face.

@@ -11,7 +11,7 @@
 namespace tetracone::experiments {
 
 /// BVHModel<OBBRSS>: one contact, no cost. It always answers the *surface* question, since it has no solids. FCL's
-/// transforms are rigid, so B's vertices are multiplied by `scale_b`, and its matrix is divided by it. Requires that
+/// transforms are rigid, so B's vertices are multiplied by `scale_b`, and B's matrix is divided by it. Requires that
 /// B's matrix is `scale_b` times a rotation; both operations are exact for a power of two. Throws std::runtime_error
 /// for a face that cannot be triangulated.
 std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b,

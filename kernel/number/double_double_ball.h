@@ -15,7 +15,7 @@ namespace tetracone::kernel {
 ///
 /// A sum in double-double has a relative error of 3 u^2 / (1 - 4 u), a product one of 7 u^2. Where parts underflow, a
 /// few times 2^-1074 are added. Both errors are computed from the high part, whose relative error is u. Where a sum's
-/// error term underflows, the sum is exact. Magnitudes and radii lose at most 16 u of a radius as they are computed.
+/// error term underflows, the sum is exact. A computed radius is rounded by at most 16 u of it.
 struct Double_double_ball {
   Double_double middle;
   double radius = 0;

@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-/// Lower bounds of how far A must be moved to part two solids. That of a depth is proved by boxes of translations, that
-/// of a first exit by stretches of the way.
+/// Lower bounds of how far A must be moved to part two solids. Boxes of translations prove a depth; stretches of the
+/// way prove a first exit.
 namespace tetracone::tetratree {
 
 /// Returns the poses, with A moved by a vector.
@@ -186,8 +186,8 @@ class Lower_bound {
   Lower_bound(Placed_pair& pair, const Two_bodies& bodies) : pair_(&pair), bodies_(&bodies) {}
 
   /// Appends, as `low`, the proof for a translation that parts the solids. The search ends where the bracket's width is
-  /// `relative` times its upper end, or earlier. A proof that gets too long is made of fewer boxes. The bound is exact
-  /// where the search closes all boxes. False, without a change of the text, where no bound above 0 is proved.
+  /// `relative` times its upper end, or earlier. A proof that gets too long is made again, of fewer boxes. The bound is
+  /// exact where the search closes all boxes. False, without a change of the text, where no bound above 0 is proved.
   bool operator()(std::string& text, const kernel::Rational_point& vector, double relative)
   {
     const auto& [a, b] = *bodies_;
@@ -243,7 +243,7 @@ class Lower_bound {
     return half;
   }
 
-  /// Appends two boxes under the halves of one, each by add(box, side).
+  /// Appends both halves of a box, each by add(half, side).
   template <class Add>
   bool add_halves(std::string& text, const Box& box, std::size_t axis, const Add& add)
   {

@@ -53,9 +53,9 @@ using Sides = std::array<bool, 2>;
 /// else the text is of no use.
 inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Sides> wanted)
 {
-  constexpr int most_lines = 96,         // that are tried
-      lines_of_a_size = 4;               // of these, before others begin nearer to the point
-  constexpr std::size_t most_cells = 6;  // of a line, between two crossings, that are tried
+  constexpr int most_lines = 96,         // lines tried
+      lines_of_a_size = 4;               // lines tried at one distance from the point; the next are nearer
+  constexpr std::size_t most_cells = 6;  // points tried on a line, each between two crossings
   kernel::Rounded_vector middle;
   double size = 0;
   for (int c = 0; c < 3; ++c) middle[c] = met.point.at[c].to_double() / met.point.weight.to_double();

@@ -361,7 +361,7 @@ class Bvh8_rays {
   double farthest_ = 0;  // in local units: the ray need not be followed farther
   bool first_alone_ = false;
   std::vector<Met> met_;
-  std::vector<Index> decided_;  // faces decided in rationals
+  std::vector<Index> decided_;  // faces decided exactly
   std::vector<Open> open_;
   Index node_ = 0;                  // the node that was opened last
   unsigned leaves_ = 0;             // its leaves that are met and not yet decided

@@ -14,8 +14,8 @@ namespace tetracone::verify {
 struct Sequence {
   std::string name;  ///< "box sliding on a box, turned"
   std::vector<Object_case> frames;
-  std::optional<int> changes;  ///< how often the answer to `Question::surface` changes from a frame to the next, where
-                               ///< the motion tells
+  std::optional<int> changes;  ///< how often the answer to `Question::surface` changes between successive frames;
+                               ///< nothing where the motion does not tell
 };
 
 /// Slidings of faces, edges and vertices, rollings over edges, passages through contact, slidings an ulp apart, and

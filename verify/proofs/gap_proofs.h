@@ -165,7 +165,7 @@ inline Proved_bounds gap_proofs()
                      off_along_side;
   add("gap_shrink", 1 - double(kernel::gap_shrink), 1 - 1 / (length * power(1 + roundoff, 3)), u, 1.74, "gappa");
 
-  // n may be rounded, and the displacement is.
+  // The displacement is rounded, and n may be.
   const auto moved = [](const auto& in) {
     using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
     const Floats n[3] = {entry(in[0]), entry(in[1]), entry(in[2])}, way[3] = {entry(in[3]), entry(in[4]), entry(in[5])};
@@ -191,7 +191,7 @@ inline Proved_bounds gap_proofs()
   add("Carrier::rate_rounding", kernel::Carrier::rate_rounding,
       5 * (of_image + 2 * roundoff + of_turn + 3 * roundoff) * length * computed, u, 1.98, "gappa");
 
-  // Entries and corners of both are rounded.
+  // The entries of the map and the point's coordinates are rounded.
   const auto gone = [](const auto& in) {
     using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
     const Floats row[3] = {entry(in[0]), entry(in[1]), entry(in[2])},
