@@ -101,6 +101,7 @@ void add_widths(Csv_table& table, Query& query, std::size_t triangles, const std
 
 void run_penetration(const Experiment_options& options)
 {
+  constexpr double narrowest = 1e-9;  // the width of a bracket that `depth` asks for by itself
   Csv_table table, widths;
   std::vector<std::size_t> sizes = {200, 1000};
   if (options.full) sizes.push_back(7172);
@@ -110,9 +111,9 @@ void run_penetration(const Experiment_options& options)
     Query query(body, body);
     const double size = 2 * verify::radius(body.polyhedron());
     for (const auto& [place, share, relative] :
-         {std::tuple("shallow", 0.01, 1e-9), std::tuple("deep", 1 / 3.0, 1e-3)}) {
+         {std::tuple("shallow", 0.01, narrowest), std::tuple("deep", 1 / 3.0, 1e-3)}) {
       const auto all = stands(query, std::max(1, options.race_frames / 50), share * size, options.seed);
-      Timed exits, contacts, depths;
+      Timed exits, contacts, depths, narrow;
       for (const auto& [pose, direction] : all) {
         query.exits(pose, Pose(), direction);  // what is made on demand is there
         Stopwatch watch;
@@ -126,11 +127,17 @@ void run_penetration(const Experiment_options& options)
         watch = Stopwatch();
         const Depth depth = query.depth(pose, Pose(), {relative});
         depths.add(watch.nanoseconds(), depth);
+        if (relative == narrowest) continue;
+        watch = Stopwatch();
+        const Depth narrower = query.depth(pose, Pose(), {.relative = narrowest, .budget = 1'000'000});
+        narrow.add(watch.nanoseconds(), narrower);
       }
       exits.exact = contacts.exact = all.size();
       add_row(table, body.polyhedron().face_count(), place, "exit", all.size(), exits, options.seed);
       add_row(table, body.polyhedron().face_count(), place, "first contact", all.size(), contacts, options.seed);
       add_row(table, body.polyhedron().face_count(), place, "depth", all.size(), depths, options.seed);
+      if (relative > narrowest)
+        add_row(table, body.polyhedron().face_count(), place, "depth to 1e-9", all.size(), narrow, options.seed);
       add_widths(widths, query, body.polyhedron().face_count(), place, all, options.seed);
     }
   }
