@@ -255,9 +255,9 @@ class Bvh8_builder {
     return parts;
   }
 
-  /// Cuts the part in two at the least cost (SAH), and returns the position of the cut in the order. It prefers a cut
-  /// through the origin that costs less than 1.03 times the other; `Cuts::through_origin` takes it at any cost. It cuts
-  /// in the middle of the order where no plane parts the elements.
+  /// Cuts the part in two at the least cost (SAH), and returns the position of the cut in the order. It takes a cut
+  /// through the origin that costs less than `most_for_cones` times the other; `Cuts::through_origin` takes it at any
+  /// cost. It cuts in the middle of the order where no plane parts the elements.
   Index split(const Part& part, const covering::Both& both)
   {
     const Index count = part.last - part.first, middle = part.first + count / 2;
@@ -300,7 +300,7 @@ class Bvh8_builder {
     if (tried.cones) {
       ++cuts_.tried_cones;
       const Cut into_cones = tried.cones->best();
-      if (options_.cuts == Cuts::through_origin || into_cones.cost < 1.03 * best.cost) {
+      if (options_.cuts == Cuts::through_origin || into_cones.cost < most_for_cones * best.cost) {
         ++cuts_.through_origin;
         best = into_cones;
       }
@@ -420,7 +420,8 @@ class Bvh8_builder {
       most_by_corners = 256,                 ///< elements of a part up to which cuts bound corners, not centroids
       fewest_in_cones = 64;                  ///< up to this many elements, no plane through the origin is tried
   static constexpr double steep = 0.05,      ///< lower bound of the sines and cosines by which cones may cut a part
-      reach_of_bins = 2.5;                   ///< half width of the bins, in standard deviations
+      reach_of_bins = 2.5,                   ///< half width of the bins, in standard deviations
+      most_for_cones = 1.03;                 ///< cuts of the paper are kept where they cost hardly more than others
 };
 
 }  // namespace tetracone::tetratree
