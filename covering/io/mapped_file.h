@@ -47,8 +47,8 @@ class Mapped_file {
 
   std::string_view bytes() const { return {reinterpret_cast<const char*>(pages_), size_}; }
 
-  /// Gives away the pages from this byte on, which must be the first of a page. The taker unmaps them, and must not
-  /// write. The file is empty afterwards.
+  /// Gives away the pages from byte `at` on, first of a page, before the end. The taker unmaps them, and must not
+  /// write. `bytes` is empty afterwards.
   void* release_from(std::size_t at)
   {
     assert(at < size_);

@@ -23,7 +23,7 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
   });
 }
 
-/// Returns what an OFF text holds. '#' starts a comment anywhere. Its parts are, in order:
+/// Returns what an OFF text holds, or throws Input_error. '#' starts a comment anywhere. Its parts are, in order:
 ///
 /// - the keyword OFF, which may be absent, with ST, C and N before it in any order;
 /// - the counts of vertices, faces and (optionally) edges on one line;
@@ -33,7 +33,7 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
 /// Colours, normals and texture coordinates are skipped. Lines behind the last face are left out, with a note, unless
 /// one could be a face.
 ///
-/// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
+/// CGAL's reader refuses or misreads these dialects, so it confirms none (see `Scan`):
 ///
 /// - colours and texture coordinates, since it takes as many as the header promises;
 /// - a count line without edges, or with 2^30 edges or more;

@@ -16,7 +16,7 @@ namespace tetracone::tetratree {
 /// may so serve many pairs. It is not for two threads at a time.
 struct Pair_memory {
   std::optional<Box_ids> witness;     ///< the leaves that met in the last pose, tried first in the next
-  std::unique_ptr<Bvh8_front> front;  ///< null until a front is allowed and worth its cost
+  std::unique_ptr<Bvh8_front> front;  ///< null until `is_front_due`, except `with_front`
   std::uint32_t opened = 0;           ///< boxes opened by the last descent without a front
   bool is_front_allowed = false;
   bool was_plane_found = true;  ///< whether the last plane that was looked for was found; true at first
@@ -40,7 +40,7 @@ struct Pair_memory {
   /// Opened boxes from which on a front may pay.
   static constexpr std::uint32_t fewest_opened = 24;
 
-  /// Allows a front, or drops it with the witness. It pays for bodies that are near where they were asked last.
+  /// Allows a front, or drops an existing one and the witness. It pays for bodies near where they were last.
   void allow_front(bool is_allowed)
   {
     is_front_allowed = is_allowed;

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <initializer_list>
 
-/// The constants of tetratree/scene/: boxes of placed and of turned bodies, and of their motions.
+/// The constants of tetratree/scene/ and of pair certificates: boxes of placed and turned bodies, motions.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -89,7 +89,7 @@ inline Rational lost_by_step(double centre, double half)
          3 * Rational(tetratree::placed_rounding) * sum(row.terms).lost() + root;
 }
 
-/// Returns the growth of an error per unit of the size, over three coordinates.
+/// Returns the growth of `lost` per unit of the sum of three sizes.
 template <class Lost>
 Rational growth(const Lost& lost)
 {
