@@ -16,15 +16,22 @@
 
 namespace tetracone::kernel {
 
-/// Bounds of a part of a body in a view: of x, y, x + y, x - y, and of the height z.
+/// Bounds of a part of a body in a view: of x, y, x + y, x - y, then of the height z, z + x, z - x, z + y and z - y.
 struct View_box {
-  static constexpr std::size_t level_axes = 4, height = 4;
-  std::array<double, 5> low, high;
+  static constexpr std::size_t axes = 9, height = 4;
+  std::array<double, axes> low, high;
+
+  /// Returns the nine functions' values at a point, or with `size`, upper bounds of their magnitudes within a box.
+  static std::array<double, axes> along(const std::array<double, 3>& p, bool size = false)
+  {
+    const double x = p[0], y = p[1], z = p[2], sign = size ? 1 : -1;
+    return {x, y, x + y, x + sign * y, z, z + x, z + sign * x, z + y, z + sign * y};
+  }
 
   /// True when the parts may be seen at one place.
   bool may_cover(const View_box& other) const
   {
-    for (std::size_t k = 0; k < level_axes; ++k)
+    for (std::size_t k = 0; k < height; ++k)
       if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
     return true;
   }
@@ -32,10 +39,7 @@ struct View_box {
   /// False when the parts surely do not meet for any translation of this one by centre + x with |x_k| <= half[k].
   bool may_meet(const View_box& other, const std::array<double, 3>& centre, const std::array<double, 3>& half) const
   {
-    const double xy = half[0] + half[1];
-    const std::array<double, 5> middle = {centre[0], centre[1], centre[0] + centre[1], centre[0] - centre[1],
-                                          centre[2]},
-                                reach = {half[0], half[1], xy, xy, half[2]};
+    const std::array<double, axes> middle = along(centre), reach = along(half, true);
     for (std::size_t k = 0; k < low.size(); ++k) {
       const double most = reach[k] + (std::abs(middle[k]) + reach[k]) * few_roundings;
       if (low[k] + middle[k] - most > other.high[k] || high[k] + middle[k] + most < other.low[k]) return false;
@@ -47,16 +51,19 @@ struct View_box {
   double size() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[height] - low[height]); }
 };
 
-/// Returns a lower bound of the rise at which a part of A may meet a part of B.
+/// Returns a lower bound of the rise at which a part of A may meet a part of B. Points that are seen at one place have
+/// one x and one y, so each of the functions of the height bounds the rise.
 inline double least_rise(const View_box& a, const View_box& b)
 {
-  const double rise = b.low[View_box::height] - a.high[View_box::height];
+  double rise = b.low[View_box::height] - a.high[View_box::height];
+  for (std::size_t k = View_box::height + 1; k < View_box::axes; ++k) rise = maximum(rise, b.low[k] - a.high[k]);
   return rise - std::abs(rise) * few_roundings;
 }
 /// Returns an upper bound of such a rise.
 inline double most_rise(const View_box& a, const View_box& b)
 {
-  const double rise = b.high[View_box::height] - a.low[View_box::height];
+  double rise = b.high[View_box::height] - a.low[View_box::height];
+  for (std::size_t k = View_box::height + 1; k < View_box::axes; ++k) rise = minimum(rise, b.high[k] - a.low[k]);
   return rise + std::abs(rise) * few_roundings;
 }
 
@@ -71,7 +78,7 @@ class Box_view {
     for (std::size_t k = 0; k < 12; ++k) m[k] = CGAL::to_interval(map[k]);
     is_bounded_ = units.is_in_range();
     for (const Interval& x : m) is_bounded_ = is_bounded_ && x.inf() >= -0x1p200 && x.sup() <= 0x1p200;
-    std::array<std::array<Interval, 4>, 5> rows;
+    std::array<std::array<Interval, 4>, View_box::axes> rows;
     for (const auto& [axis, row] : {std::pair<std::size_t, std::size_t>(0, 0), {1, 1}, {View_box::height, 2}}) {
       rows[axis][3] = m[4 * row + 3];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -82,6 +89,10 @@ class Box_view {
     for (std::size_t k = 0; k < 4; ++k) {
       rows[2][k] = rows[0][k] + rows[1][k];
       rows[3][k] = rows[0][k] - rows[1][k];
+      for (std::size_t i = 0; i < 2; ++i) {
+        rows[View_box::height + 1 + 2 * i][k] = rows[View_box::height][k] + rows[i][k];
+        rows[View_box::height + 2 + 2 * i][k] = rows[View_box::height][k] - rows[i][k];
+      }
     }
     for (std::size_t axis = 0; axis < axis_.size(); ++axis) {
       Axis& to = axis_[axis];
@@ -138,7 +149,7 @@ class Box_view {
     double offset, relative = 0, absolute = 0;
   };
 
-  std::array<Axis, 5> axis_;
+  std::array<Axis, View_box::axes> axis_;
   bool is_bounded_ = false;
 };
 

@@ -323,7 +323,8 @@ class Depth_search {
       }
       if (!solid_[0].tree().is_leaf(pair[0]) || !solid_[1].tree().is_leaf(pair[1])) {
         open_pair(
-            solid_, pair, [this](const Box_ids& closer) { pairs_.push_back(closer); }, [](Seen_piece&, Seen_piece&) {});
+            solid_, pair, [this](const Box_ids& closer, auto&...) { pairs_.push_back(closer); },
+            [](Seen_piece&, Seen_piece&) {});
         continue;
       }
       const auto numbers = polytopes_of(pair);
@@ -455,7 +456,7 @@ class Depth_search {
     if (proof_ && !(solid_[0].is_plain(box[0]) && solid_[1].is_plain(box[1]))) return std::nullopt;
     const auto first = std::uint32_t(polytopes_.size());
     open_pair(
-        solid_, box, [](const Box_ids&) {},
+        solid_, box, [](auto&...) {},
         [this](Seen_piece& a, Seen_piece& b) {
           const Polytope polytope = polytope_of(a, b);
           if (!polytope.is_beyond()) polytopes_.push_back({polytope, &a, &b, round_});

@@ -217,8 +217,7 @@ class Exit_search {
     std::vector<Met> met;       // from above `at`
     std::vector<Rising> later;  // start above `at`
     std::vector<Rising> ready;  // the others; the one that was added last is opened first
-    const auto add = [&](const Box_ids& box) {
-      const kernel::View_box &a = solid_[0].box(box[0]), &b = solid_[1].box(box[1]);
+    const auto add = [&](const Box_ids& box, const kernel::View_box& a, const kernel::View_box& b) {
       ++counts_.box_tests;
       if (!a.may_cover(b)) return;
       const Rising rising{kernel::least_rise(a, b), kernel::most_rise(a, b), box};
@@ -235,7 +234,7 @@ class Exit_search {
       if (range.is_certain() && range.high()->least > at)
         push_to(met, Met{&a, &b, range.low()->most, *range.high()}, is_met_later);
     };
-    add({Box_id(), Box_id()});
+    add({Box_id(), Box_id()}, solid_[0].box({}), solid_[1].box({}));
     for (;;) {
       while (!met.empty() && met.front().low < at) {
         const Met next = pop_from(met, is_met_later);
@@ -398,7 +397,7 @@ class Exit_search {
   void search(const Key& key, const Limit& limit, const Compare& compare)
   {
     queue_.clear();
-    push({Box_id(), Box_id()}, key);
+    push({Box_id(), Box_id()}, solid_[0].box({}), solid_[1].box({}), key);
     const auto is_later = [](const Pair& x, const Pair& y) { return x.key > y.key; };
     while (!queue_.empty()) {
       std::ranges::pop_heap(queue_, is_later);
@@ -406,8 +405,8 @@ class Exit_search {
       queue_.pop_back();
       if (pair.key > limit()) break;
       ++counts_.pairs_visited;
-      const auto add = [&](const Box_ids& closer) {
-        if (push(closer, key)) std::ranges::push_heap(queue_, is_later);
+      const auto add = [&](const Box_ids& closer, const kernel::View_box& a, const kernel::View_box& b) {
+        if (push(closer, a, b, key)) std::ranges::push_heap(queue_, is_later);
       };
       open(pair.box, add, compare);
     }
@@ -415,10 +414,9 @@ class Exit_search {
 
   /// Adds a pair of boxes that may share a place in the view. False where `key` leaves it out, or they share none.
   template <class Key>
-  bool push(const Box_ids& box, const Key& key)
+  bool push(const Box_ids& box, const kernel::View_box& a, const kernel::View_box& b, const Key& key)
   {
     ++counts_.box_tests;
-    const kernel::View_box &a = solid_[0].box(box[0]), &b = solid_[1].box(box[1]);
     if (!a.may_cover(b)) return false;
     const std::optional<double> at = key(a, b);
     if (at) queue_.push_back({*at, box});

@@ -19,6 +19,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -94,13 +95,16 @@ class Seen_solid {
     box_view_ = kernel::Box_view(map, tree_->scale());
     boxes_.forget();
     pieces_.forget();
+    vertices_.forget();
   }
 
-  /// Returns a box of the tree in the view.
-  const kernel::View_box& box(Box_id id)
+  /// Returns the boxes of a node in the view, by lane.
+  const std::array<kernel::View_box, kernel::lanes>& boxes(Index node)
   {
-    return boxes_(id.node(), [&](auto& boxes) { boxes = box_view_(tree_->node_of(id).boxes); })[std::size_t(id.lane())];
+    return boxes_(node, [&](auto& boxes) { boxes = box_view_(tree_->node(node).boxes); });
   }
+  /// Returns a box of the tree in the view.
+  const kernel::View_box& box(Box_id id) { return boxes(id.node())[std::size_t(id.lane())]; }
 
   /// True for a plain triangle.
   bool is_plain(Index f) const { return sides_->of(f).is_plain; }
@@ -125,7 +129,7 @@ class Seen_solid {
   /// Returns a piece of the present view in rationals.
   const kernel::Convex_piece<kernel::Rational>& exactly(Seen_piece& piece)
   {
-    if (!piece.exact) piece.exact = is_plain(piece.face) ? triangle(piece.face, map_) : seen(cell(piece));
+    if (!piece.exact) piece.exact = is_plain(piece.face) ? triangle<kernel::Rational>(piece.face) : seen(cell(piece));
     return *piece.exact;
   }
 
@@ -136,7 +140,7 @@ class Seen_solid {
   {
     const CGAL::Protect_FPU_rounding<true> upward;
     if (is_plain(f)) {
-      if (sides_->of(f).any_in) add(pieces, {triangle(f, about_map_), {}, std::nullopt, false, f, 0});
+      if (sides_->of(f).any_in) add(pieces, {triangle<kernel::Interval>(f), {}, std::nullopt, false, f, 0});
       return;
     }
     const std::size_t count = cells(f).size();
@@ -158,11 +162,16 @@ class Seen_solid {
   }
 
   template <class N>
-  kernel::Convex_piece<N> triangle(Index f, const std::array<N, 12>& map) const
+  kernel::Convex_piece<N> triangle(Index f)
   {
-    const covering::Loop loop = polyhedron_->loop(f, 0);
     kernel::Convex_piece<N> piece;
-    for (const Index v : loop) piece.corner[std::size_t(piece.count++)] = kernel::image(polyhedron_->vertices[v], map);
+    for (const Index v : polyhedron_->loop(f, 0)) {
+      kernel::Number_point<N>& corner = piece.corner[std::size_t(piece.count++)];
+      if constexpr (std::is_same_v<N, kernel::Rational>)
+        corner = vertices_(v, [&](auto& seen) { seen = kernel::image(polyhedron_->vertices[v], map_); });
+      else
+        corner = kernel::image(polyhedron_->vertices[v], about_map_);
+    }
     return piece;
   }
 
@@ -206,11 +215,12 @@ class Seen_solid {
   kernel::Box_view box_view_;
   Numbered_things<std::array<kernel::View_box, kernel::lanes>> boxes_;  // by node
   Numbered_things<std::vector<Seen_piece>> pieces_;                     // by face
+  Numbered_things<kernel::Rational_point> vertices_;                    // those that were asked for exactly
   std::map<Index, std::vector<Rational_piece>> cells_;                  // of faces that are not plain
 };
 
-/// Calls compare(piece of A, piece of B) for all pieces of two leaves. For other boxes, it calls add(boxes) with each
-/// part of the larger one; a leaf is not opened.
+/// Calls compare(piece of A, piece of B) for all pieces of two leaves. For other boxes, it calls add(boxes, box of A,
+/// box of B) with each part of the larger one; a leaf is not opened.
 template <class Add, class Compare>
 void open_pair(std::array<Seen_solid, 2>& solid, const Box_ids& box, const Add& add, const Compare& compare)
 {
@@ -223,13 +233,19 @@ void open_pair(std::array<Seen_solid, 2>& solid, const Box_ids& box, const Add& 
           for (Seen_piece& b : solid[1].pieces(in_b.element(box[1], j).face)) compare(a, b);
     return;
   }
-  const bool opens_b = is_leaf[0] || (!is_leaf[1] && solid[1].box(box[1]).size() > solid[0].box(box[0]).size());
+  const kernel::View_box &a = solid[0].box(box[0]), &b = solid[1].box(box[1]);
+  const bool opens_b = is_leaf[0] || (!is_leaf[1] && b.size() > a.size());
   const Bvh8& tree = solid[opens_b].tree();
   const Index node = tree.child(box[opens_b]);
+  const auto& parts = solid[opens_b].boxes(node);
   for (int lane = 0; lane < tree.node(node).boxes.lane_count; ++lane) {
     Box_ids closer = box;
     closer[opens_b] = {node, lane};
-    add(closer);
+    const kernel::View_box& part = parts[std::size_t(lane)];
+    if (opens_b)
+      add(closer, a, part);
+    else
+      add(closer, part, b);
   }
 }
 
