@@ -18,7 +18,7 @@ REGIME = {family: regime for regime, families in {
     "random": "random",
     "near-degenerate": "decimal-grid float-widened rounded-on-plane ulps-off-plane perturbed-zero ulp-walk sliver needle nearly-collinear "
                                                   "near-parallel-edges nearly-singular drifted-rotation swept-contact non-planar-quads "
-                                                  "far-from-origin mixed-scales cancelled-translation swept-primitives corpus metres",
+                                                  "far-from-origin distant-part mixed-scales cancelled-translation swept-primitives corpus metres",
     "exactly degenerate": "special-poses extreme-exponents exponent-gate coplanar-grid coplanar-parallelogram vertex-on-vertex "
                                                   "vertex-on-edge vertex-on-face edge-across-edge edge-along-edge edge-in-face-plane "
                                                   "face-on-face coplanar-sharing stacked degenerate-face duplicates true-rotation shear "

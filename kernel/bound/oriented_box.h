@@ -310,9 +310,9 @@ class Lane_box {
     const Vector middle = centre();
     Vector from_about, extent;
     for (int i = 0; i < 3; ++i) {
-      boxes.centre[i][lane] = static_cast<float>(middle[i] - node_origin[i]);
+      boxes.centre[i][lane] = to_float(middle[i] - node_origin[i]);
       from_about[i] = (double(boxes.centre[i][lane]) + node_origin[i]) - about_[i];
-      for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = static_cast<float>(across_[k][i]);
+      for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = to_float(across_[k][i]);
     }
     const Four at = along(from_about);
     double size = from_about.norm_1();
@@ -323,8 +323,7 @@ class Lane_box {
     const double margin = axis_defect_factor * axis_defect * maximum(extent[0], extent[1], extent[2]) +
                           few_roundings * size + axis_norm_1 * point_error + 0 * sum_.sum();
     for (int i = 0; i < 3; ++i)
-      boxes.extent[i][lane] =
-          std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());
+      boxes.extent[i][lane] = std::nextafter(to_float(extent[i] + margin), std::numeric_limits<float>::infinity());
   }
 
  private:

@@ -60,7 +60,7 @@ struct Vector {
   }
 
   /// Returns the vector with each coordinate rounded to the nearest float.
-  constexpr Vector in_float() const { return {float(at[0]), float(at[1]), float(at[2])}; }
+  constexpr Vector in_float() const { return {to_float(at[0]), to_float(at[1]), to_float(at[2])}; }
 
   Vector absolute() const { return {std::abs(at[0]), std::abs(at[1]), std::abs(at[2])}; }
 };

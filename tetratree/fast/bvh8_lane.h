@@ -59,7 +59,7 @@ inline Bvh8_node node_of(std::span<const Bvh8_lane> lanes)
   }
   // The origin is exact in float, and so in double.
   Vector origin;
-  for (int k = 0; k < 3; ++k) origin[k] = node.boxes.origin[k] = float(0.5 * (low[k] + high[k]));
+  for (int k = 0; k < 3; ++k) origin[k] = node.boxes.origin[k] = kernel::to_float(0.5 * (low[k] + high[k]));
   double reach = 0;
   for (std::size_t k = 0; k < lanes.size(); ++k) {
     const Bvh8_lane& lane = lanes[k];

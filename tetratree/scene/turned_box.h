@@ -96,12 +96,12 @@ inline std::array<double, kernel::lanes> turned_gaps(const Turned_box& one, std:
     double off = 0, square = 0, sum = 0;
     for (int k = 0; k < 3; ++k) {
       const double c = (box.centre[k] - one.centre[k]) * per_unit;
-      boxes.centre[k][lane] = float(c);
+      boxes.centre[k][lane] = kernel::to_float(c);
       off += std::abs(c);
       square += c * c;
     }
     for (int j = 0; j < 3; ++j) {
-      for (int k = 0; k < 3; ++k) boxes.axis[j][k][lane] = float(box.axis[j][k]);
+      for (int k = 0; k < 3; ++k) boxes.axis[j][k][lane] = kernel::to_float(box.axis[j][k]);
       boxes.extent[j][lane] =
           float((box.extent[j] * per_unit + turned_centre_rounding * off) * (1 + turned_extent_rounding));
       sum += boxes.extent[j][lane];

@@ -16,7 +16,7 @@ inline float rounded_above(double x)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   if (!(x < std::numeric_limits<float>::max())) return infinity;
-  const float nearest = float(x);
+  const float nearest = kernel::to_float(x);
   // Above 0 the next float has the next larger bits, below 0 the next smaller ones. The nearest float is never -0 and
   // below x. This has no branch, since no processor could predict it.
   const auto bits = std::bit_cast<std::int32_t>(nearest);

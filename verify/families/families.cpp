@@ -222,6 +222,12 @@ std::vector<Family> entries()
          return predicate_family::perturbed_zero(random, rung.step == 0 ? infinite : rung.bits());
        },
        object_family::ladder},
+      {{"distant-part",
+        "a contact of a body that is far longer, by a distant copy of it or by a vertex of no face",
+        "length 2^p: p",
+        {10, 14, 17, 20, 24, 27, 30, 35, 40}},
+       predicate_family::mixed_scales,
+       object_family::distant_part},
   };
 }
 

@@ -31,7 +31,8 @@ Generator lego_bricks;
 // metres: sizes and distances that engines are made for
 Generator metres, ladder;
 // scales: exponents
-Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild, tiny_fractions;
+Generator far_from_origin, distant_part, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild,
+    tiny_fractions;
 // poses: the maps
 Generator special_poses, true_rotation, shear, nearly_singular, drifted_rotation;
 // motions: ends of sweeps, and the corpus

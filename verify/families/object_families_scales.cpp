@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace tetracone::verify::object_family {
 namespace {
@@ -94,6 +96,29 @@ Object_case mixed_scales(Random& random, double parameter)
   }
   const Rational gap = random.bits() % 2 == 0 ? few(random, -s - 4) : any_gap(random);
   return placed(random, contact, gap);
+}
+
+/// A contact of which one body is 2^p long: by a copy of it that is so far away, or by a vertex of no face.
+Object_case distant_part(Random& random, double parameter)
+{
+  const Shape& a = any_block(random);
+  const Shape& b = any_block(random);
+  const Touching contact = any_contact(random, a, b, any_turn(random));
+  Object_case c = placed(random, contact, any_gap(random));
+  auto& body = random.bits() % 2 == 0 ? c.a : c.b;
+  covering::Polyhedron longer = *body;
+  const auto axis = std::size_t(integer(random, 0, 2));
+  const double far = std::ldexp(random.bits() % 2 == 0 ? 1.0 : -1.0, static_cast<int>(parameter));
+  if (random.bits() % 2 == 0) {
+    longer.vertices.push_back({0, 0, 0});
+    longer.vertices.back()[axis] = far;
+  } else {
+    covering::Polyhedron copy = *body;
+    for (covering::Vertex& v : copy.vertices) v[axis] += far;
+    covering::append(longer, copy);
+  }
+  body = std::make_shared<const covering::Polyhedron>(std::move(longer));
+  return c;
 }
 
 /// B's vertices are about 2^f from its origin, and its translation brings them back; exactly, or with poses rounded to

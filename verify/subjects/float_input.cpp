@@ -2,6 +2,7 @@
 
 #include "tetracone/covering/planarity.h"
 #include "tetracone/covering/repair/repair.h"
+#include "tetracone/kernel/number/floating_point.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,7 +15,7 @@ namespace {
 /// Rounds the number; false where it has no finite float.
 bool round_to_float(double& number)
 {
-  number = double(float(number));
+  number = double(kernel::to_float(number));
   return std::isfinite(number);
 }
 

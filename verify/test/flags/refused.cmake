@@ -25,7 +25,7 @@ function(outcome compiler flags)
   endif()
 endfunction()
 
-set(sound "-O0" "-O2" "-O3 -ffp-contract=off" "-O2 -fno-math-errno -fno-trapping-math" "-O2 -frounding-math")
+set(sound "-O0" "-O2" "-O3 -ffp-contract=off" "-O3 -march=native -ffp-contract=off" "-O2 -fno-math-errno -fno-trapping-math" "-O2 -frounding-math")
 set(unsound "-O2 -ffast-math" "-Ofast" "-O2 -ffinite-math-only" "-O2 -funsafe-math-optimizations" "-O2 -freciprocal-math"
     "-O2 -fassociative-math -fno-signed-zeros -fno-trapping-math" "-O2 -ffast-math -fno-finite-math-only")
 # Contraction needs an instruction that multiplies and adds.

@@ -200,6 +200,7 @@ BOOST_AUTO_TEST_CASE(exact_degeneracies_are_exact)
                                             {"voxels", 30},
                                             {"lego", 30},
                                             {"metres", 10},
+                                            {"distant-part", 30},
                                             {"near-parallel-edges", 15},
                                             {"tangent-fan", 30},
                                             {"float-widened", 40},
