@@ -73,7 +73,7 @@ def need_keys(entry, known):
 
 def lines_of(data, path):
     """The words of each line that has some; '#' begins a comment."""
-    text = data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
+    text = data.decode("utf-8-sig", "replace").replace("\r\n", "\n").replace("\r", "\n")
     need_form(text.strip(), f"{path} is empty")
     return [words for line in text.split("\n") if (words := line.split("#")[0].split())]
 
@@ -84,8 +84,9 @@ def count(word):
 
 
 def read_off(lines):
-    need_form(re.fullmatch("(ST)?C?N?OFF", lines[0][0]), "the file does not begin with OFF")
-    lines = [lines[0][1:]] * (len(lines[0]) > 1) + lines[1:]
+    if not lines[0][0].isdigit():  # the keyword may be left out
+        need_form(re.fullmatch("(ST)?C?N?OFF", lines[0][0]), "the file does not begin with OFF")
+        lines = [lines[0][1:]] * (len(lines[0]) > 1) + lines[1:]
     first = 1 + count(lines[0][0])
     faces = [[[count(x) for x in words[1:1 + count(words[0])]]] for words in lines[first:first + count(lines[0][1])]]
     need_form(len(faces) == count(lines[0][1]), "the file ends too early")
@@ -116,7 +117,7 @@ def read_poly(lines, nodes):
     vertices = [[given(x) for x in nodes.pop(0)[1:4]] for _ in range(size)]
     faces = []
     for _ in range(count(lines.pop(0)[0])):
-        polygons, holes = [count(x) for x in lines.pop(0) + ["0"]][:2]
+        polygons, holes = [count(x) for x in (lines.pop(0) + ["0"])[:2]]
         faces.append([])
         for _ in range(polygons):
             words = lines.pop(0)
@@ -154,6 +155,9 @@ def need_given(answers, key, path):
     """The answers are about the numbers of the file, in order; one row serves all."""
     size = 6 if key == "ray" else len(answers[0][key])
     numbers = [given(x) for words in lines_of(read_bytes(path), path) for x in " ".join(words).replace(",", " ").split()]
+    need_form(size and numbers, f"{path}, or the certificate, has no numbers of {key}")
+    if size == 12 and len(numbers) in (16, 16 * len(answers)) and all(numbers[k + 12:k + 16] == [0, 0, 0, 1] for k in range(0, len(numbers), 16)):
+        numbers = [x for k in range(0, len(numbers), 16) for x in numbers[k:k + 12]]  # matrices of four rows
     need_form(len(numbers) in (size, size * len(answers)), f"{path} has not {size} numbers for each answer")
     for k, answer in enumerate(answers):
         said = answer["origin"] + answer["direction"] if key == "ray" else answer[key]

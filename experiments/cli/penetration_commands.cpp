@@ -73,7 +73,7 @@ void add_depth_command(CLI::App& app)
               "the least");
   add_default(*command, "--relative", options->limits.relative, "The bracket's width over its upper end, at most");
   add_default(*command, "--budget", options->limits.budget, "Boxes of translations to look at, at most")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number());
   command->footer(
       "Prints a line for each pose: a lower and an upper bound of the length of the least translation after which the "
       "interiors share no point, and the translation that attains the upper one. All is 0 where the interiors share no "

@@ -286,9 +286,10 @@ void add_scene_command(CLI::App& app)
   command->add_option("FILE", options->file, "Scene file, *.scene.json")->required();
   add_default(*command, "--question", options->question, "solid or surface");
   add_default(*command, "--kernel", options->kernel, kernel_names());
-  command->add_option(
-      "--memory", options->memory,
-      "Bytes that models and queries may take: models are given back, and read again when they are needed");
+  command
+      ->add_option("--memory", options->memory,
+                   "Bytes that models and queries may take: models are given back, and read again when they are needed")
+      ->check(whole_number());
   add_default(*command, "--threads", options->threads,
               "Threads that share the pairs of a frame; 0: all that there are");
   command->add_option("--budget", options->budget,

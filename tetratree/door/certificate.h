@@ -77,7 +77,8 @@ class Certificate {
   void within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const std::string& limit,
               bool answer, const Nearest& nearest);
   /// Adds the relation of an answer of `Query::solid_relation`; the dimension has no proof. True where it is proved:
-  /// disjoint, inside and contains always, the others where the search finds a proof. Else nothing is added. Solids
+  /// disjoint always, inside and contains where the surfaces share no point, the others where the search finds a proof.
+  /// An overlap needs surfaces that share a point. Else nothing is added. Solids
   /// that touch and do not overlap are proved where a plane is between them. They are also proved where a body that
   /// shrinks, grows or moves aside a little has no contact left. Equal solids are proved where they have the same
   /// faces, too.

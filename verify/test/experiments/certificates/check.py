@@ -233,6 +233,25 @@ class Certificates(unittest.TestCase):
         others.write_text(given.read_text().replace("1.25", "1.26"))
         with self.assertRaises(reading.Refused):
             list(check.prove(text, files, [(key, others)]))
+        others.write_text("# none\n")
+        with self.assertRaises(reading.Bad):
+            list(check.prove(text, files, [(key, others)]))
+
+    def test_it_reads_what_the_program_reads(self):
+        point, four = self.folder / "inner", self.folder / "four_rows"
+        point.write_text("1/8 1/8 1/8\n")
+        four.write_text("1 0 0 1/2\n0 1 0 0\n0 0 1 0\n0 0 0 1\n")
+        triangles = ("1 3 2", "1 2 4", "1 4 3", "2 3 4")
+        for name, data in (("without.off", CUBE.removeprefix("OFF\n").encode()), ("latin.off", b"OFF # \xe8\n" + CUBE.removeprefix("OFF\n").encode()),
+                           ("marked.poly", ("4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n4 1\n" + "".join(
+                               f"1 0 -1\n3 {corners}\n" for corners in triangles) + "0\n").encode())):
+            file = self.folder / name
+            file.write_bytes(data)
+            text, _ = self.asked("inside", file, point)
+            self.assertEqual(len(list(check.prove(text, [file], [("point", point)]))), 1, name)
+        cube = self.folder / "cube.off"
+        text, _ = self.asked("collide", cube, cube, "--pose-b", four)
+        self.assertEqual(len(list(check.prove(text, [cube, cube], [("pose_b", four)]))), 1)
 
     def test_no_lie_is_believed(self):
         random.seed(48)

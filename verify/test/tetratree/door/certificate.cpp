@@ -121,6 +121,20 @@ BOOST_AUTO_TEST_CASE(solids_that_touch_are_proved)
   BOOST_TEST(is_proved(of_hollow));
 }
 
+BOOST_AUTO_TEST_CASE(an_overlap_of_surfaces_that_are_apart_is_left_out)
+{
+  const covering::Polyhedron cube = scenes::unit_cube();
+  covering::Polyhedron large = cube, two = cube, other = cube;
+  for (auto& v : large.vertices)
+    for (double& x : v) x = 3 * x - 1;
+  for (auto& v : other.vertices) v[0] += 10;
+  covering::append(two, other);
+  Query query{Body(two), Body(large)};
+  Certificate certificate(query);
+  BOOST_TEST(certificate.relation(query, Pose(), Pose()).relation == tetracone::Solid_relation::overlap);
+  BOOST_TEST(certificate.without_proof() == 1);
+}
+
 BOOST_AUTO_TEST_CASE(exits_and_depths_are_proved)
 {
   const Body cube(scenes::unit_cube());
