@@ -117,6 +117,7 @@ class Talk {
       if (!line) complain("no line");
       auto hello = subject_lines::read_hello(*line);
       if (!hello) return *line;
+      if (const std::string flaw = subject_lines::flaw_of(*hello); !flaw.empty()) throw Wrong{flaw};
       hello_ = std::move(hello);
     }
   }

@@ -8,8 +8,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace tetracone::experiments::subject_lines {
 namespace {
@@ -222,6 +225,48 @@ std::optional<Hello> read_hello(const std::string& line)
       if (question.is_string()) hello.questions.push_back(question);
   hello.takes_batches = batch != json.end() && *batch == true;
   return hello;
+}
+
+std::string flaw_of(const Hello& hello)
+{
+  const auto json = nlohmann::json::parse(hello.text);
+  std::vector<std::string> kinds = {"surface", "solid"};
+  for (const Kind kind : all_kinds)
+    if (kind != Kind::collide) kinds.emplace_back(to_string(kind));
+  const std::vector<std::string> precisions = {"float32", "float64", "exact"};
+  const auto is_one_of = [](const nlohmann::json& value, const std::vector<std::string>& words) {
+    return value.is_string() && std::ranges::find(words, value.get<std::string>()) != words.end();
+  };
+  const std::vector<std::pair<const char*, std::vector<std::string>>> allowed = {
+      {"bodies", {"convex", "manifold", "closed", "any"}},
+      {"poses", {"rigid", "affine"}},
+      {"touching", {"open", "closed"}},
+      {"precision", precisions},
+      {"vertices", precisions}};
+  const auto alternatives = [](const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : "|") + word;
+    return text;
+  };
+  const auto flaw = [](const std::string& key, const std::string& expected) {
+    return "'" + key + "' of the hello; expected " + expected;
+  };
+  for (const auto& [key, words] : allowed)
+    if (json.contains(key) && !is_one_of(json[key], words)) return flaw(key, alternatives(words));
+  if (json["hello"] != 1) return flaw("hello", "1");
+  if (json.contains("batch") && !json["batch"].is_boolean()) return flaw("batch", "true or false");
+  if (json.contains("questions")) {
+    bool is_known = json["questions"].is_array();
+    for (const auto& question : json["questions"]) is_known = is_known && is_one_of(question, kinds);
+    if (!is_known) return flaw("questions", "a list of " + alternatives(kinds));
+  }
+  if (json.contains("sizes")) {
+    const auto& sizes = json["sizes"];
+    const bool is_range =
+        sizes.is_array() && sizes.size() == 2 && sizes[0].is_number() && sizes[1].is_number() && sizes[0] <= sizes[1];
+    if (!is_range) return flaw("sizes", "two numbers, the lower first");
+  }
+  return "";
 }
 
 std::optional<std::string> next_object(Command_process& process, Command_process::Deadline deadline,

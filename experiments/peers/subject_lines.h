@@ -48,6 +48,9 @@ struct Hello {
 /// Returns the contents of a hello; nothing for another line.
 std::optional<Hello> read_hello(const std::string& line);
 
+/// Returns what is wrong with the values of a hello, and what was expected; empty where nothing is.
+std::string flaw_of(const Hello& hello);
+
 /// Returns the next line that begins with `{`; nothing when the child ends or the deadline passes first. The others,
 /// which libraries print, are counted in `skipped`.
 std::optional<std::string> next_object(Command_process& process, Command_process::Deadline deadline,

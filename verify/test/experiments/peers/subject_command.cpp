@@ -44,6 +44,8 @@ def put(value):
     else: print(line, flush=True)
 if mode == "banner":
     put("welcome")
+if mode == "misspelt":
+    put({"hello": 1, "bodies": "konvex"})
 if mode in ("solids", "rigid", "convex"):
     put({"hello": 1, "name": mode, "version": "1", "questions": ["solid"] if mode == "solids" else ["surface", "solid"],
          "poses": "rigid" if mode == "rigid" else "affine", "bodies": "convex" if mode == "convex" else "any", "batch": True})
@@ -257,6 +259,12 @@ BOOST_AUTO_TEST_CASE(lines_that_are_no_objects_are_skipped_and_counted)
   BOOST_TEST(running->skipped_lines() == 0u);
   const std::string said = checked("banner");
   BOOST_TEST(verify::contains(said, "skipped 14 lines that do not begin with {"), said);
+}
+
+BOOST_AUTO_TEST_CASE(a_misspelt_hello_does_not_follow_the_protocol)
+{
+  const std::string said = checked("misspelt");
+  BOOST_TEST(said.find("'bodies' of the hello; expected convex|manifold|closed|any") != std::string::npos, said);
 }
 
 BOOST_AUTO_TEST_CASE(a_hello_says_what_is_asked)
