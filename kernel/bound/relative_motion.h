@@ -81,7 +81,7 @@ struct alignas(32) Course {
     float sum = 0;
     for (int j = 0; j < 4; ++j)
       for (int k = 0; k < 4; ++k) {
-        column[j][k] = float(after.column[j][k] - before.column[j][k]);
+        column[j][k] = to_float(after.column[j][k] - before.column[j][k]);
         sum += std::abs(column[j][k]);
       }
     size = sum * rounded_up;

@@ -103,7 +103,7 @@ inline std::array<double, kernel::lanes> turned_gaps(const Turned_box& one, std:
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) boxes.axis[j][k][lane] = kernel::to_float(box.axis[j][k]);
       boxes.extent[j][lane] =
-          float((box.extent[j] * per_unit + turned_centre_rounding * off) * (1 + turned_extent_rounding));
+          kernel::to_float((box.extent[j] * per_unit + turned_centre_rounding * off) * (1 + turned_extent_rounding));
       sum += boxes.extent[j][lane];
     }
     boxes.reach = kernel::maximum(boxes.reach, float((std::sqrt(square) + sum) * (1 + turned_reach_rounding)));
