@@ -64,6 +64,7 @@ inline std::vector<Other_constant> other_constants()
       {"kernel/bound/triangle_distance.h", "0x1p-40", choice, "where the search for nearer points ends"},
       {"tetratree/fast/bvh8_builder.h", "steep", choice, "cost of a tree"},
       {"tetratree/fast/bvh8_builder.h", "reach_of_bins", choice, "cost of a tree"},
+      {"tetratree/fast/bvh8_builder.h", "most_for_cones", choice, "cost of a tree"},
       {"tetratree/memory/bvh8_front.h", "most_strayed", choice, "when a new course is set"},
       {"tetratree/memory/bvh8_front.h", "most_at_rest", choice, "when a new course is set"},
       {"tetratree/query/bvh8_motion.h", "share_of_size", choice, "when a span of time is halved"},
