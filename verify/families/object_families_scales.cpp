@@ -98,7 +98,7 @@ Object_case mixed_scales(Random& random, double parameter)
   return placed(random, contact, gap);
 }
 
-/// A contact of which one body is 2^p long: by a copy of it that is so far away, or by a vertex of no face.
+/// A contact of which one body is 2^p long. A copy of it is so far away, or a vertex of no face.
 Object_case distant_part(Random& random, double parameter)
 {
   const Shape& a = any_block(random);

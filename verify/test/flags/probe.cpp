@@ -1,5 +1,5 @@
-// What a user's unit does under the flags that it is compiled with: status 0 when the library would answer, 3 when it
-// refuses at run time, 4 when a number rounded to float is not what was written.
+// Tells what a user's unit does under its flags. Status 0: the library would answer. Status 3: it refuses at run time.
+// Status 4: a number rounded to float is not what was written.
 #include "tetracone/kernel/number/floating_point.h"
 
 #include <cstdio>
