@@ -1,7 +1,8 @@
-// Compiled by itself with all optimisations that users may choose, since a compiler's error in one of them made boxes
-// that did not hold their elements: parts that touch, and are tiny beside their body, must meet.
+// Parts that touch, and are tiny beside their body, must meet under all optimisations that users may choose. With one of
+// them, a compiler's error made boxes that did not hold their elements.
 #include "tetracone/tetratree/query/bvh8_collision.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
