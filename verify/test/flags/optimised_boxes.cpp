@@ -1,5 +1,5 @@
-// Parts that touch, and are tiny beside their body, must meet under all optimisations that users may choose. With one of
-// them, a compiler's error made boxes that did not hold their elements.
+// Parts that touch, and are tiny beside their body, must meet under all optimisations that users may choose. One of
+// them made boxes that did not hold their elements.
 #include "tetracone/tetratree/query/bvh8_collision.h"
 
 #include <array>
