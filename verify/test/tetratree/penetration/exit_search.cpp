@@ -213,6 +213,20 @@ BOOST_AUTO_TEST_CASE(numbers_of_any_size_are_exact)
              Rational(1 + Rational(tiny)).get_str() + ' ' + Rational(1 + Rational(tiny)).get_str());
 }
 
+BOOST_AUTO_TEST_CASE(a_query_forgets_the_view_of_the_last_pose)
+{
+  Polyhedron tetrahedron;
+  tetrahedron.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}};
+  for (const auto& face : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})
+    tetrahedron.add_polygon(face);
+  Query query{Body(tetrahedron), Body(tetrahedron)};
+  for (const Direction& direction : {along_x, Direction{"1/3", "1", "-1/7"}, along_z})
+    for (const Pose& pose : {Pose(), Pose::from_quaternion(3, 1, 2, 5, {0, 0, 0}), scenes::translation(0.5, 0.25, 0)}) {
+      const Exits exits = query.exits(pose, Pose(), direction);
+      BOOST_TEST(exits.exact_first + ' ' + exits.exact_last == text_of(tetrahedron, tetrahedron, direction, pose));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_no_direction_is_refused)
 {
   Query query{Body(scenes::unit_cube()), Body(scenes::unit_cube())};
