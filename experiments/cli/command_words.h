@@ -52,12 +52,12 @@ std::string names_of(const Range& all)
   return joined(names);
 }
 
-/// Refuses what is no whole number from 0 to 10^18; conversions of CLI11 would wrap or clamp it.
+/// Refuses what is no whole number from 0, below 10^18; conversions of CLI11 would wrap or clamp it.
 inline CLI::Validator whole_number()
 {
   const auto refusal = [](const std::string& text) {
     const bool is_whole = !text.empty() && text.size() <= 18 && text.find_first_not_of("0123456789") == text.npos;
-    return is_whole ? std::string() : "'" + text + "'; expected a whole number from 0 to 10^18";
+    return is_whole ? std::string() : "'" + text + "'; expected a whole number from 0, below 10^18";
   };
   return CLI::Validator(refusal, "");
 }
