@@ -4,8 +4,9 @@
   check.py CERTIFICATE [A [B]] [--given KEY=FILE]...
   check.py -        a certificate a line on standard input; a line each: proved, refused or bad input
 
-A and B are the model files: OFF, OBJ or TetGen's .poly. A body that stands in the certificate has none. `--given pose_b=poses.txt` demands that the answers are about the
-file's numbers, in order; KEY is pose_a, pose_b, from_a, to_a, from_b, to_b, point or ray. Prints a line an answer.
+A and B are the model files: OFF, OBJ or TetGen's .poly. A body that stands in the certificate has none. `--given pose_b=poses.txt` demands that each answer is about its
+row of the file; KEY is pose_a, pose_b, from_a, to_a, from_b, to_b, point, ray, limit, end or direction. Prints a line an answer, which begins
+with the answer's row.
 Status 0: all are proved. 1: one is refused. 2: bad input.
 
 A function prove_X states in its text what it proves, and raises Refused where the proof does not show that. `covers.py` proves what answers
@@ -276,23 +277,28 @@ QUESTIONS = {"collide": (prove_collide, PLACED), "distance": (prove_distance, PL
              "motion": (prove_motion, "ask answer question from_a to_a from_b to_b witness windings directions cover")}
 
 
-def prove(text, models=(), asked=()):
+def prove(text, models=(), demands=()):
     """Yields a line for each answer. Raises Refused or Bad."""
     certificate = json.loads(text, object_pairs_hook=Object, parse_float=Fraction)
-    need_keys(certificate, "certificate bodies answers")
+    need_keys(certificate, "certificate bodies answers asked")
     need_form(certificate["certificate"] == "tetracone 1", "another version; expected tetracone 1")
     entries, answers = certificate["bodies"], certificate["answers"]
     need_form(len(entries) in (1, 2) and answers, "there are not one or two bodies, and answers")
+    is_each = "asked" not in certificate  # else some answers are left out, and each has its row
+    rows = list(range(len(answers))) if is_each else [answer["row"] for answer in answers]
+    asked = len(answers) if is_each else certificate["asked"]
+    need_form(type(asked) is int and all(type(row) is int for row in rows), "a row is no integer")
+    need_form(all(low < high for low, high in zip([-1, *rows], [*rows, asked])), f"rows do not ascend from 0 to below {asked}")
     files = iter(models)
     bodies = [Body(entry, None if "vertices" in entry else next(files, None)) for entry in entries]
     need_form(next(files, None) is None, "more model files than the certificate names")
-    for key, path in asked:
-        need_given(answers, key, path)
-    for k, answer in enumerate(answers):
+    for key, path in demands:
+        need_given(answers, asked, key, path)
+    for row, answer in zip(rows, answers):
         proof, known = QUESTIONS.get(answer["ask"], (None, "ask"))
-        need_keys(answer, known)
+        need_keys(answer, known if is_each else known + " row")
         more = proof(answer, bodies)
-        yield f"{k} {answer['ask']} {answer.get('question', '-')} {json.dumps(answer['answer'])} proved{more or ''}"
+        yield f"{row} {answer['ask']} {answer.get('question', '-')} {json.dumps(answer['answer'])} proved{more or ''}"
 
 
 BAD = (Bad, OSError, ValueError, TypeError, AttributeError, LookupError, RecursionError, OverflowError, MemoryError)

@@ -151,15 +151,17 @@ def read_model(path):
     return vertices, faces, hashlib.sha256(data).hexdigest()
 
 
-def need_given(answers, key, path):
-    """The answers are about the numbers of the file, in order; one row serves all."""
-    size = 6 if key == "ray" else len(answers[0][key])
+def need_given(answers, asked, key, path):
+    """Each answer is about its row of the file, of `asked` rows; one row serves all. A row is one number, or a vector or pose."""
+    said = [answer["origin"] + answer["direction"] if key == "ray" else answer[key] for answer in answers]
+    said = [[words] if isinstance(words, str) else words for words in said]
+    size = len(said[0])
     numbers = [given(x) for words in lines_of(read_bytes(path), path) for x in " ".join(words).replace(",", " ").split()]
     need_form(size and numbers, f"{path}, or the certificate, has no numbers of {key}")
-    if size == 12 and len(numbers) in (16, 16 * len(answers)) and all(numbers[k + 12:k + 16] == [0, 0, 0, 1] for k in range(0, len(numbers), 16)):
+    if size == 12 and len(numbers) in (16, 16 * asked) and all(numbers[k + 12:k + 16] == [0, 0, 0, 1] for k in range(0, len(numbers), 16)):
         numbers = [x for k in range(0, len(numbers), 16) for x in numbers[k:k + 12]]  # matrices of four rows
-    need_form(len(numbers) in (size, size * len(answers)), f"{path} has not {size} numbers for each answer")
-    for k, answer in enumerate(answers):
-        said = answer["origin"] + answer["direction"] if key == "ray" else answer[key]
-        first = k * size % len(numbers)
-        need(vector(said, given, size) == numbers[first:first + size], f"answer {k} is not about what {path} says")
+    need_form(len(numbers) in (size, size * asked), f"{path} has not {size} numbers for each of {asked} rows")
+    for k, (answer, words) in enumerate(zip(answers, said)):
+        row = answer.get("row", k)
+        first = row * size % len(numbers)
+        need(vector(words, given, size) == numbers[first:first + size], f"answer {row} is not about what {path} says")

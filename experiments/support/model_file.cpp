@@ -22,11 +22,12 @@ namespace {
 {
   const covering::Check check = covering::check(polyhedron);
   const auto& edge = check.open_edges.front();
-  throw covering::Input_error(file, 0,
-                              "an open surface has no solid: " + std::to_string(check.open_edges.size()) +
-                                  " directed edges without enough reverse, the first from vertex " +
-                                  std::to_string(edge.from) + " to " + std::to_string(edge.to),
-                              "expected a closed polyhedron, or --question surface; " + what_closes(polyhedron));
+  throw covering::Input_error(
+      file, 0,
+      "an open surface has no solid: " + std::to_string(check.open_edges.size()) +
+          " directed edges without enough reverse, the first from vertex " + std::to_string(edge.from) + " to " +
+          std::to_string(edge.to),
+      "expected a closed polyhedron, or --question surface if the command has it; " + what_closes(polyhedron));
 }
 
 std::vector<covering::Index> all_faces(const covering::Polyhedron& polyhedron)

@@ -249,8 +249,14 @@ std::string Certificate::text() const
   std::string text = "{\"certificate\":\"tetracone 1\",\n\"bodies\":";
   add_list(text, data_->parts, [&](const Data::Part& part) { return data_->text_of(part); });
   text += ",\n\"answers\":[\n";
-  for (std::size_t k = 0; k < data_->answers.size(); ++k) text += (k == 0 ? "" : ",\n") + data_->answers[k];
-  return text + "\n]}\n";
+  for (std::size_t k = 0; k < data_->answers.size(); ++k) {
+    text += (k == 0 ? "" : ",\n") + data_->answers[k];
+    if (data_->without_proof > 0) text += ",\"row\":" + std::to_string(data_->rows[k]);
+    text += '}';
+  }
+  text += "\n]";
+  if (data_->without_proof > 0) text += ",\"asked\":" + std::to_string(data_->answers.size() + data_->without_proof);
+  return text + "}\n";
 }
 
 }  // namespace tetracone

@@ -44,7 +44,8 @@ struct Certificate::Data {
   };
 
   std::vector<Part> parts;           ///< one body or two
-  std::vector<std::string> answers;  ///< each as JSON
+  std::vector<std::string> answers;  ///< each as JSON that lacks its closing brace
+  std::vector<std::size_t> rows;     ///< of each answer: the number of questions asked before it
   std::size_t without_proof = 0;     ///< number of answers that were left out
 
   /// Returns the number of a text. Throws Error for a text that is none.
@@ -97,8 +98,12 @@ struct Certificate::Data {
     return text;
   }
 
-  /// Closes an answer, and adds it.
-  void keep(std::string answer) { answers.push_back(std::move(answer) + "}"); }
+  /// Adds an answer.
+  void keep(std::string answer)
+  {
+    rows.push_back(answers.size() + without_proof);
+    answers.push_back(std::move(answer));
+  }
 
   /// Counts an answer that has no proof. Returns false.
   bool leave_out()

@@ -57,9 +57,9 @@ inline Proved_bounds nearest_proofs()
   add("Common_frame::image_rounding", of_frame, Frame::image_rounding,
       largest(slice_errors<Relative_64>([](const auto& in) { return detail::image_in_common(in); }, slices_of_dot())),
       unit, 1.34, "gappa");
-  // One sum of a number whose own error is below 8 u.
+  // One sum is rounded. Its argument has an error below 8 u.
   add("Common_frame::way_rounding", of_frame, Frame::way_rounding, u * (1 + 8 * u), unit, 2.01);
-  // A row's sum, the sum with the way, products with shares, their sums, and the product with this.
+  // Rounded are a row's sum, the sum with the way, products with shares, their sums, and the last product.
   const Count number, row = number + number + number, way = row + number,
                       error = (number * row + number * way + number * number) * number;
   add("Common_frame::sum_rounding", of_frame, Frame::sum_rounding,
@@ -94,7 +94,7 @@ inline Proved_bounds nearest_proofs()
   add("row_rounding of least_stretch", of_frame, stretch::row_rounding,
       (2 * of_row + u) / (sum_of_squares * number).least(u), unit, 2.14, "gappa");
   add("root_rounding of least_stretch", of_frame, stretch::root_rounding, 1 - power(1 / up, 3), unit, 1.34);
-  // The volume is a difference, and doubled; a sum of squares, a quotient and a product.
+  // The volume is a difference, which is doubled. A sum of squares, a quotient and a product are rounded too.
   add("quotient_rounding of least_stretch", of_frame, stretch::quotient_rounding,
       1 - power(down, sum_of_squares.count()) / power(up, 3), unit, 4.01);
 
@@ -106,10 +106,10 @@ inline Proved_bounds nearest_proofs()
   const std::string of_distance = "tetratree/query/bvh8_distance.h";
   add("Bvh8_distance::limit_rounding", of_distance, Distance::limit_rounding,
       std::max(Rational(1 - 1 / power(up, 3)), Rational(1 / power(down, 3) - 1)), unit, 1.34);
-  // A square is rounded, which counts half in its root; the root, a product and a sum.
+  // A square is rounded, which counts half in its root. Then the root, a product and a sum are.
   add("Bvh8_distance::distance_rounding", of_distance, Distance::distance_rounding,
       std::max(Rational(1 - 1 / power(up, 4)), Rational(1 / power(down, 4) - 1)), unit, 2.01);
-  // The underflow in space, times the power of two that leads to the frame, below 2^200; and once more in the frame.
+  // The underflow in space grows by the power of two that leads to the frame, below 2^200. The frame adds its own.
   const Rational half_of_least = Rational(0x1p-1074) / 2;
   add("Bvh8_distance::smallest", of_distance, Distance::smallest, half_of_least * Rational(0x1p200) + 2 * half_of_least,
       1, 3.8e22);
@@ -119,10 +119,11 @@ inline Proved_bounds nearest_proofs()
   add("Bvh8_distance::most_unseen", of_distance, Distance::most_unseen,
       square <= root * root ? Rational(root * power(up, 4)) : Rational(1), 1, 1024.1);
 
-  // The low part is below u of the high one; a product with a number less than 1.
+  // The low part is below u of the high one. A product with a number less than 1 is rounded.
   add("Double_double_ball::high_rounding", "kernel/number/double_double_ball.h", Ball::high_rounding, 1 - down / up,
       unit, 2.01);
-  // Accepted radii, by two sums of magnitudes and a product, two sums of their own, and a rounding of each.
+  // The radii of an accepted direction are compared with two sums of magnitudes and a product. Their own sum has two
+  // roundings. Each coordinate is rounded once.
   const std::string of_directions = "kernel/predicate/enclosed_distance.h";
   add("Enclosed_distance::direction_error", of_directions, Enclosed::direction_error,
       Rational(Enclosed::most_radii) / power(down, 6) + u / down, unit, 1.34);

@@ -10,7 +10,8 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// Rounding errors relative to each vector's length or number, the larger of those with fused products and without.
+/// Rounding errors, relative to the length of each vector or to each number. They are the larger of those with fused
+/// products and of those without.
 struct Ray_shares {
   Rational from = 0, centre = 0, step = 0;  ///< of a scalar product with an axis
   Rational at = 0, reach = 0;               ///< of an entry, times the step
@@ -61,8 +62,8 @@ inline Proved_bounds obb8_ray_proofs()
   const std::string file = "kernel/bound/obb8_ray.h";
   Proved_bounds bounds;
 
-  // The origin, a difference; the direction, by half of its square's roundings, the root's and the quotient's; and the
-  // way along it. No way is longer than from the farthest corner, and no component of the direction above 1.
+  // The origin is a difference. The direction has half of its square's roundings, the root's and the quotient's. No way
+  // along it is longer than that from the farthest corner, and no component of the direction is above 1.
   const std::array<Rounding_count, 3> component;
   const Rational of_direction = ((kernel::dot(component, component).count() + 1) / 2 + 2) * Rational(of_double) * once;
   const auto moved = [](const auto& in) { return Local_ray::farther(in[0], in[1], in[2]); };

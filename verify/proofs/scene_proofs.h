@@ -13,7 +13,8 @@
 #include <cmath>
 #include <initializer_list>
 
-/// The constants of tetratree/scene/ and of pair certificates: boxes of placed and turned bodies, motions.
+/// The constants of tetratree/scene/ and of pair certificates. They are about boxes of placed and turned bodies, and
+/// about motions.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -26,7 +27,7 @@ tetratree::Placed_coordinate<Number> placed_coordinate(const std::vector<Number>
   return {triple(in, 0), in[3], triple(in, 4), triple(in, 7)};
 }
 
-/// Returns the same with rounded entries: nearest doubles of fractions, or differences of two poses.
+/// Returns `placed_coordinate` with rounded entries, as nearest doubles of fractions and differences of two poses are.
 template <class Number>
 tetratree::Placed_coordinate<Number> placed_by_entries(std::vector<Number> in)
 {
@@ -67,10 +68,10 @@ inline Rational lost_by_box(double centre, double half)
   return (x.at - x.reach).lost() + Rational(tetratree::placed_rounding) * x.terms.lost();
 }
 
-/// Returns the underflow of a step:
-/// - of both centres in three rows;
-/// - of the turning part in a sum of squares over the rows, or in one of all entries that is lengthened by up to 2;
-/// - of a root of squares that underflow.
+/// Returns the underflow of a step, as the sum of three:
+/// - both centres have one in three rows;
+/// - the turning part has one in a sum of squares over the rows, or in one of all entries lengthened by up to 2;
+/// - a root has one where its squares underflow.
 inline Rational lost_by_step(double centre, double half)
 {
   using Absolute = Range_number<Double_range>;
@@ -127,7 +128,7 @@ inline Proved_bounds scene_proofs()
   add("placed_rounding, of a turned box's centre", turned, 4 * tetratree::placed_rounding,
       root_3() * of_centre * once_in_float, u, 7.4, "gappa");
 
-  // A step, summed over rows. The images of both centres have the largest error. Entries of the rotation are rounded
+  // A step is summed over rows. The images of both centres have the largest error. Entries of the rotation are rounded
   // once, and have a smaller one.
   std::vector<Slice> terms_of_step;
   for (int k = 0; k < 3; ++k) terms_of_step.push_back(slice_of(15, {4 + k, 8 + k, 14}));
@@ -139,7 +140,7 @@ inline Proved_bounds scene_proofs()
   const auto of_row = detail::step_of_row(std::vector<Rounding_count>(15), false);
   const auto over_rows = [](const auto& of_one) { return of_one + of_one + of_one; };
   const auto sum = [](const auto& lanes) { return lanes[0] + lanes[1]; };
-  // The entries, the product with the share, and two sums.
+  // The entries, the product with the share, and two sums are rounded.
   const Rounding_count of_terms_of_step =
       entry(sum(over_rows(of_row.terms))) * Rounding_count() + Rounding_count() + Rounding_count();
   add("placed_rounding, of steps", extent, tetratree::placed_rounding,
@@ -147,14 +148,14 @@ inline Proved_bounds scene_proofs()
       "gappa");
   const Rounding_count reach, turn = sum(of_row.turn);
   const Rounding_count by_length = reach * reach * sum(over_rows(of_row.squares)), by_turns = over_rows(turn * turn);
-  // The root, the product with the share, and two sums.
+  // The root, the product with the share, and two sums are rounded.
   const Rational of_steps = detail::lost_with_root(by_length.count() > by_turns.count() ? by_length : by_turns, 4, u);
   add("step_rounding", extent, tetratree::step_rounding, of_steps, u, 3.37);
   const Rounding_count in_halves = tetratree::square_in_halves(Rounding_count(), Rounding_count(), Rounding_count());
   add("step_rounding, of reaches in halves", extent, tetratree::step_rounding,
       detail::lost_with_root(over_rows(in_halves), 2, u), u, 5.82);
 
-  // Absolute errors, as multiples of that of one product or entry. `Body_extent::underflow` itself is rounded in a
+  // Absolute errors are multiples of that of one product or entry. `Body_extent::underflow` itself is rounded in a
   // product and six sums.
   const Rational one_loss = Double_range::lost_by_product();
   const Rational of_underflow = power(1 / (1 - Rational(u)), 7);
@@ -178,8 +179,8 @@ inline Proved_bounds scene_proofs()
       (u + off_then) / (once_less * once_less * less_in_float) / of_between.least(u), of_float, 2.01);
   add("between_underflow", certificates, tetratree::between_underflow, 3 * Rational(0x1p-150) / of_between.least(u),
       0x1p-150, 2.67);
-  // The change, squared and summed up, and its share of what was rounded before; against what is left, which is a
-  // difference, squared and multiplied.
+  // The change is squared and summed up, and its share of what was rounded before is added. It is compared with what is
+  // left, which is a difference, squared and multiplied.
   const Rounding_count change = Rounding_count() * Rounding_count();
   const Rational squares = power(once_less, (change + change + change).count() + 4) / power(1 + Rational(u), 4);
   add("certificate_rounding", certificates, tetratree::certificate_rounding, 1 - squares, u, 11.7);
@@ -187,7 +188,7 @@ inline Proved_bounds scene_proofs()
   add("sum_rounding, of certificates", certificates, tetratree::sum_rounding,
       power(1 + Rational(u), sum_of_two.count()) - 1, u, 1.34);
 
-  // A body's box. Its own numbers are differences that were rounded twice, and then once to float, which may make them
+  // The numbers of a body's box are differences that were rounded twice, and then once to float, which may make them
   // larger. The places' difference is rounded once before.
   const std::string body_box = "tetratree/scene/body_box.h";
   const auto gap = [](const auto& in) {
@@ -212,19 +213,19 @@ inline Proved_bounds scene_proofs()
       1 / ((one - u) * (one - u) * (one - most({of_gap[3], of_gap[4], of_low[2], of_high[2]}) - u)) - 1, u, 2.67,
       "gappa");
 
-  // A direction's entries are rounded to float, of a fraction once before; its norm is a sum by two steps. The sum of
-  // both slacks is rounded.
+  // A direction's entries are rounded to float; those of a fraction are rounded once before. Its norm is a sum by two
+  // steps. The sum of both slacks is rounded.
   add("slack_of_direction", extent, tetratree::slack_of_direction,
       (Rational(of_float) + 2 * Rational(u)) * once_in_float * once_in_float * once_in_float +
           Rational(of_float) * Rational(double(tetratree::Support_table::slack + tetratree::slack_of_direction)),
       of_float, 4.01);
 
-  // Points are centres plus sums of axes, whose lengths have the errors of a root of a sum, a quotient, and half of
+  // Points are centres plus sums of axes. Lengths of axes have the errors of a root of a sum, a quotient, and half of
   // three sums.
   const Rounding_count one_extent, of_radius = one_extent + one_extent + one_extent, of_axis = of_radius * one_extent;
   add("turned_radius_rounding", turned, tetratree::turned_radius_rounding,
       1 / (of_radius * of_axis).least(Rational(u)) - 1, u, 1.44e9);
-  // Roundings of a product, a sum and a product, and then to float. For a reach, centres are rounded to float too.
+  // A product, a sum and a product are rounded, and the result to float. For a reach, centres are rounded to float too.
   add("turned_extent_rounding", turned, tetratree::turned_extent_rounding,
       Rational(of_float) * once_in_float + 8 * Rational(u), of_float, 4.01);
   add("turned_reach_rounding", turned, tetratree::turned_reach_rounding,

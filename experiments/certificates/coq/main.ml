@@ -190,12 +190,14 @@ let rec take n l = if n = 0 then [] else match l with x :: rest -> x :: take (n 
 let rec drop n l = if n = 0 then l else match l with _ :: rest -> drop (n - 1) rest | [] -> bad "a file ends too early"
 
 let read_off lines =
-  let counts, rest = match lines with
-    | [_] :: counts :: rest -> (counts, rest)
-    | (_ :: counts) :: rest -> (counts, rest)
-    | _ -> bad "a file ends too early" in
-  (match lines with (word :: _) :: _ when List.mem word ["OFF"; "COFF"; "NOFF"; "CNOFF"; "STOFF"; "STCOFF"] -> () | _ -> bad "the file does not begin with OFF");
-  let vertices, faces = match counts with v :: f :: _ -> (integer v, integer f) | _ -> bad "an OFF file has no counts" in
+  let is_keyword word = List.mem word ["OFF"; "COFF"; "NOFF"; "CNOFF"; "STOFF"; "STCOFF"; "STNOFF"; "STCNOFF"] in
+  let lines = match lines with
+    | (word :: _) :: _ when is_digits word -> lines  (* the keyword may be left out *)
+    | [word] :: rest when is_keyword word -> rest
+    | (word :: counts) :: rest when is_keyword word -> counts :: rest
+    | [] -> bad "a file ends too early"
+    | _ -> bad "the file does not begin with OFF" in
+  let vertices, faces, rest = match lines with (v :: f :: _) :: rest -> (integer v, integer f, rest) | _ -> bad "an OFF file has no counts" in
   let at = List.map (fun line -> List.map given_word (take 3 line)) (take vertices rest) in
   (at, List.map (fun line -> [List.map integer (take (integer (List.hd line)) (List.tl line))]) (take faces (drop vertices rest)))
 
@@ -829,18 +831,25 @@ let prove_motion answer bodies =
     if solid then need_all_shells answer start None
   end
 
-(* The answers are about the numbers of the file, in order; one line serves all. *)
-let need_given answers key path =
-  let size = if key = "ray" then 6 else List.length (rows (get (List.hd answers) key)) in
+(* Each answer is about its row of the file, of `asked` rows; one row serves all. A row is one number, or a vector or pose. *)
+let need_given answers asked key path =
+  let said answer = match if key = "ray" then List (rows (get answer "origin") @ rows (get answer "direction")) else get answer key with
+    | String word -> List [String word]
+    | words -> words in
+  let size = List.length (rows (said (List.hd answers))) in
+  let rec chunks = function [] -> [] | l -> take 16 l :: chunks (drop 16 l) in
+  let is_matrix chunk = List.for_all2 Q.equal (drop 12 chunk) [Q.zero; Q.zero; Q.zero; Q.one] in
   let numbers = List.map given_word (List.concat (lines_of (read_bytes path))) in
+  let is_square = size = 12 && List.mem (List.length numbers) [16; 16 * asked] && List.for_all is_matrix (chunks numbers) in
+  let numbers = if is_square then List.concat_map (take 12) (chunks numbers) else numbers in  (* matrices of four rows *)
   let count = List.length numbers in
-  need_form (count = size || count = size * List.length answers) (Printf.sprintf "%s has not %d numbers for each answer" path size);
+  need_form (size > 0 && (count = size || count = size * asked)) (Printf.sprintf "%s has not %d numbers for each of %d rows" path size asked);
   let numbers = Array.of_list numbers in
   List.iteri (fun k answer ->
-    let said = if key = "ray" then vector ~number:given (get answer "origin") @ vector ~number:given (get answer "direction")
-      else vector ~number:given ~size (get answer key) in
-    let at = if count = size then 0 else k * size in
-    need (List.for_all2 Q.equal said (Array.to_list (Array.sub numbers at size))) (Printf.sprintf "answer %d is not about what %s says" k path)) answers
+    let row = match answer with Object items -> (match List.assoc_opt "row" items with Some (Int row) -> row | _ -> k) | _ -> k in
+    let at = if count = size then 0 else row * size in
+    need (List.for_all2 Q.equal (vector ~number:given ~size (said answer)) (Array.to_list (Array.sub numbers at size)))
+      (Printf.sprintf "answer %d is not about what %s says" row path)) answers
 
 let kinds = ["collide", prove_collide; "distance", prove_distance; "within", prove_within; "inside", prove_inside; "ray", prove_ray;
              "relation", prove_relation; "motion", prove_motion; "exit", prove_exit; "depth", prove_depth]
@@ -855,24 +864,32 @@ let rec show = function
 
 let prove text_of models givens print =
   let certificate = parse text_of in
-  keys certificate ["certificate"; "bodies"; "answers"] [];
+  keys certificate ["certificate"; "bodies"; "answers"] ["asked"];
   need_form (get certificate "certificate" = String "tetracone 1") "another version; expected tetracone 1";
   let entries = rows (get certificate "bodies") and answers = rows (get certificate "answers") in
   need_form (List.mem (List.length entries) [1; 2] && answers <> []) "there are not one or two bodies, and answers";
+  (* Where some answers are left out, each has its row. *)
+  let is_each = not (has certificate "asked") in
+  let row_of k answer = if is_each then k else match get answer "row" with Int row -> row | _ -> bad "a row is no integer" in
+  let numbers = List.mapi row_of answers in
+  let asked = if is_each then List.length answers else match get certificate "asked" with Int count -> count | _ -> bad "a count is no integer" in
+  let rec ascend low = function row :: rest -> low < row && ascend row rest | [] -> low < asked in
+  need_form (ascend (-1) numbers) (Printf.sprintf "rows do not ascend from 0 to below %d" asked);
   let files = ref models in
   let next_file () = match !files with file :: rest -> files := rest; Some file | [] -> None in
   let bodies = Array.of_list (List.map (fun entry -> read_body entry (if has entry "vertices" then None else next_file ())) entries) in
   need_form (!files = []) "more model files than the certificate names";
   List.iter (fun word -> match String.index_opt word '=' with
-    | Some k when List.mem (String.sub word 0 k) ["pose_a"; "pose_b"; "from_a"; "to_a"; "from_b"; "to_b"; "point"; "ray"] ->
-        need_given answers (String.sub word 0 k) (String.sub word (k + 1) (String.length word - k - 1))
+    | Some k when List.mem (String.sub word 0 k) ["pose_a"; "pose_b"; "from_a"; "to_a"; "from_b"; "to_b"; "point"; "ray"; "limit"; "end"; "direction"] ->
+        need_given answers asked (String.sub word 0 k) (String.sub word (k + 1) (String.length word - k - 1))
     | _ -> bad "--given %s is unknown" word) givens;
-  List.iteri (fun k answer ->
+  List.iter2 (fun row answer ->
     let ask = text (get answer "ask") in
+    let answer = match answer with Object items when not is_each -> Object (List.filter (fun (key, _) -> key <> "row") items) | _ -> answer in
     (match List.assoc_opt ask kinds with Some proof -> proof answer bodies | None -> bad "an answer is to no question");
     let turned = Array.fold_left (fun s b -> if b.turned = 0 then s else Printf.sprintf "%s, with %d loops turned" s b.turned) "" bodies in
-    print (Printf.sprintf "%d %s %s %s proved%s" k ask (if has answer "question" then text (get answer "question") else "-") (show (get answer "answer")) turned))
-    answers
+    print (Printf.sprintf "%d %s %s %s proved%s" row ask (if has answer "question" then text (get answer "question") else "-") (show (get answer "answer")) turned))
+    numbers answers
 
 (* The status and what is said of it. *)
 let judged text_of models givens print =

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The checker proves what the program writes, believes no lie, and answers any bytes with a line and a status."""
+import copy
 import json
 import os
 import pathlib
@@ -78,10 +79,10 @@ class Certificates(unittest.TestCase):
                                                                           "0 0 0", "1 1 1", "9 9 9", "0 1/3 0")))
         for a, b in (("frame.poly", "cube.off"), ("bent.obj", "bent.obj")):
             files = [bodies[a], bodies[b]]
-            yield (*cls.asked("relation", *files, "--pose-b", poses), files, "pose_b", None)
+            yield (*cls.asked("relation", *files, "--pose-b", poses), files, "pose_b", poses)
             same = cls.folder / "same"
             same.write_text(PLACE.format(0, 0, 0))
-            yield (*cls.asked("motion", *files, "--pose-a0", same, "--pose-a1", same, "--pose-b0", poses, "--pose-b1", ends), files, "to_b", None)
+            yield (*cls.asked("motion", *files, "--pose-a0", same, "--pose-a1", same, "--pose-b0", poses, "--pose-b1", ends), files, "to_b", ends)
         turns = [cls.folder / "turn", cls.folder / "turned"]
         turns[0].write_text("1 0 0 0 5 0 0.125\n1 0 0 0 3.5 1 0\n1 1 0 0 -4 1 9\n2 0 0 1 1.25 1.25 0.125\n1 0 0 0 9 0 0\n1/3 1 0 0 0 0 5\n1 0 0 0 0 0 -3\n1 0 0 0 4 1.5 0.25\n")
         turns[1].write_text("1 0 1 0 1 1 0.125\n1 0 0 1 -9 0 1\n1 -1 1/7 0 -9 1 9\n1 0 0 0 5 5 5\n0 0 0 1 9 0 0\n1 0 0 0 0.5 0.5 1e-30\n2 0 0 0 0.25 0.25 3\n-1 0 0 3 -4 1.5 0.25\n")
@@ -93,7 +94,7 @@ class Certificates(unittest.TestCase):
             "1 0 0 0", "0.5 0 0 0.5", "0.5 0.25 1/3 0", "2 0 -0.5 -1", "2 -0.5 -0.5 0", "1 1 0.25 0", "1 0.5 0.25 1/3", "0.5 0.25 0.25 0.25", "3 -1 -1 -1", "1 3 0 0")))
         files = [bodies["cube.off"]] * 2
         for words in (["relation"], ["exit", "--along", "1", "0", "1/3"], ["depth", "--relative", "0.1"]):
-            yield (*cls.asked(words[0], *files, "--pose-b", held, *words[1:]), files, "pose_b", held if words[0] == "relation" else None)
+            yield (*cls.asked(words[0], *files, "--pose-b", held, *words[1:]), files, "pose_b", held)
         turned = cls.folder / "turned_cubes"  # cubes with an edge, or a corner, towards an edge of the unit cube
         turned.write_text("0.8 -0.6 0 0.75 0.48 0.64 -0.6 0.5 0.36 0.48 0.8 0.25\n0.6 -0.8 0 1 0.8 0.6 0 0.25 0 0 1 0.5\n0.36 0.48 0.8 -0.25 -0.8 0.6 0 0.5 -0.48 -0.64 0.6 0.75\n")
         for along in (("1", "0.125", "0.0625"), ("1", "1", "0"), ("-1", "1/3", "2")):
@@ -107,12 +108,12 @@ class Certificates(unittest.TestCase):
         for text, said, files, key, given in self.certificates:
             with self.subTest(text=text[:300]):
                 proved = list(check.prove(text, files, [(key, given)] if given else ()))
-                if given is None:  # relations and motions without a proof are left out
-                    self.assertGreater(len(proved), 6)
-                    continue
-                self.assertEqual(len(proved), len(said))
-                for answer, line in zip(json.loads(text)["answers"], said):
-                    value = answer["answer"]
+                certificate = json.loads(text)
+                self.assertEqual(certificate.get("asked", len(proved)), len(said))  # relations and motions without a proof are left out
+                self.assertGreater(len(proved), len(said) // 2)
+                for k, answer in enumerate(certificate["answers"]):
+                    value, line = answer["answer"], said[answer.get("row", k)]
+                    self.assertEqual(proved[k].split()[0], str(answer.get("row", k)))
                     if answer["ask"] == "collide":
                         self.assertEqual(int(value != "apart"), int(line))
                     elif answer["ask"] == "distance":
@@ -125,7 +126,7 @@ class Certificates(unittest.TestCase):
                         self.assertEqual(value, line.split()[0])
                     elif answer["ask"] == "exit":
                         self.assertEqual([float(reading.exact(x)) for x in value], [float(x) for x in line.split()])
-                        self.assertTrue("overlap" in answer or value[0] == "0" or given is not None)
+                        self.assertTrue("overlap" in answer or value[0] == "0")
                     elif answer["ask"] == "depth":
                         self.assertLessEqual(float(reading.exact(value)) ** 0.5, float(line.split()[1]) * (1 + 1e-15))
                         if value != "0":
@@ -233,6 +234,23 @@ class Certificates(unittest.TestCase):
         others.write_text(given.read_text().replace("1.25", "1.26"))
         with self.assertRaises(reading.Refused):
             list(check.prove(text, files, [(key, others)]))
+        certificate = json.loads(text)
+        del certificate["answers"][1:3]
+        numbered = {**certificate, "asked": len(certificate["answers"]) + 2,
+                    "answers": [{**answer, "row": row} for row, answer in zip((0, *range(3, 100)), certificate["answers"])]}
+        said = list(check.prove(json.dumps(numbered), files, [(key, given)]))
+        self.assertEqual([line.split()[0] for line in said[:3]], ["0", "3", "4"])
+        shifted = copy.deepcopy(numbered)
+        shifted["answers"][1]["row"] = 2
+        with self.assertRaises(reading.Refused):
+            list(check.prove(json.dumps(shifted), files, [(key, given)]))
+        descending, uncounted, one_more = (copy.deepcopy(numbered) for _ in range(3))
+        descending["answers"][1]["row"] = 0
+        del uncounted["asked"]
+        one_more["asked"] += 1
+        for spoiled in (certificate, descending, uncounted, one_more):
+            with self.assertRaises(reading.Bad):
+                list(check.prove(json.dumps(spoiled), files, [(key, given)]))
         others.write_text("# none\n")
         with self.assertRaises(reading.Bad):
             list(check.prove(text, files, [(key, others)]))

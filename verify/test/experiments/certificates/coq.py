@@ -190,9 +190,10 @@ def model_texts():
     vertices = [" ".join(v) for v in CUBE_VERTICES]
     faces = [" ".join(map(str, f)) for f in CUBE_FACES]
     yield "cube.off", "OFF # a cube\n8 6 0\n" + "\n".join(vertices) + "\n" + "".join(f"4 {f}\n" for f in faces)
+    yield "without.off", "8 6 0\n" + "\n".join(vertices) + "\n" + "".join(f"4 {f}\n" for f in faces)
     yield "cube.obj", "".join(f"v {v}\n" for v in vertices) + "".join("f " + " ".join(f"{v + 1}/1" for v in f) + "\n" for f in CUBE_FACES[:3]) + \
         "".join("f " + " ".join(str(v - 8) for v in f) + "\n" for f in CUBE_FACES[3:])
-    yield "cube.poly", "8 3 0 0\n" + "".join(f"{k} {v}\n" for k, v in enumerate(vertices)) + "6 0\n" + "".join(f"1 0\n4 {f}\n" for f in faces) + "0\n"
+    yield "cube.poly", "8 3 0 0\n" + "".join(f"{k} {v}\n" for k, v in enumerate(vertices)) + "6 0\n" + "".join(f"1 0 -1\n4 {f}\n" for f in faces) + "0\n"
 
 
 class Proved_checker(unittest.TestCase):
@@ -255,6 +256,13 @@ class Proved_checker(unittest.TestCase):
             one = self.file({**PAIRS, "bodies": [body, body], "answers": PAIRS["answers"][2:3]})
             self.assertEqual(self.check(one, path, path, "--given", f"pose_b={poses}")[0], 0)
             self.assertEqual(self.check(one, path, path, "--given", f"pose_a={poses}")[0], 1)
+            poses.write_text("1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n")
+            self.assertEqual(self.check(one, path, path, "--given", f"pose_b={poses}")[0], 0)
+            numbered = {**PAIRS, "bodies": [body, body], "answers": [{**PAIRS["answers"][2], "row": 1}], "asked": 2}
+            poses.write_text("1 0 0 3 0 1 0 0 0 0 1 0\n1 0 0 2 0 1 0 0 0 0 1 0\n")
+            for row, asked, status in ((1, 2, 0), (0, 2, 1), (2, 2, 2), (1, 3, 2)):
+                numbered["answers"][0]["row"], numbered["asked"] = row, asked
+                self.assertEqual(self.check(self.file(numbered), path, path, "--given", f"pose_b={poses}")[0], status)
             path.write_text(text + "\n")
             self.assertEqual(self.check(certificate, path, path)[0], 1, name)
 
