@@ -125,6 +125,8 @@ Body::Body(const std::filesystem::path& file)
 
 const Polyhedron& Body::polyhedron() const { return data_->polyhedron; }
 
+const std::vector<Face_triangle>& Body::triangles() const { return data_->triangles; }
+
 bool Body::is_closed() const { return data_->is_closed(); }
 
 void Body::make_all(std::size_t threads) const

@@ -127,6 +127,10 @@ class Body {
   /// Returns the polyhedron that the body was made of.
   const Polyhedron& polyhedron() const;
 
+  /// Returns the triangles that stand for faces of more than three corners, in the order of faces. A face that has none
+  /// stays whole.
+  const std::vector<Face_triangle>& triangles() const;
+
   /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
   bool is_closed() const;
 

@@ -4,6 +4,7 @@
 #include "tetracone/tetratree/python/texts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -30,11 +31,43 @@ bool has_masked(const py::handle& values, int depth = 3)
   return false;
 }
 
+/// True for an integer that is no double.
+bool is_wide_integer(const py::handle& value)
+{
+  const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+  if (!number) {
+    PyErr_Clear();
+    return false;
+  }
+  const auto nearest = py::reinterpret_steal<py::object>(PyNumber_Float(number.ptr()));
+  if (!nearest) PyErr_Clear();  // beyond all doubles
+  return !nearest || !nearest.equal(number);
+}
+
+/// True when numpy may have rounded values to make them an array. It makes doubles of floats with integers, and texts of
+/// texts with numbers.
+bool may_be_rounded(const py::array& array)
+{
+  const char kind = array.dtype().kind();
+  if (kind == 'U' || kind == 'S') return true;
+  if (kind != 'f' || array.itemsize() > 8) return false;
+  const py::array_t<double, py::array::forcecast | py::array::c_style> doubles(array);
+  return std::any_of(doubles.data(), doubles.data() + doubles.size(),
+                     [](double x) { return std::abs(x) >= 1LL << std::numeric_limits<double>::digits; });
+}
+
 py::array as_array(const py::handle& values, const std::string& name)
 {
   if (has_masked(values)) throw Error(name + ": an array with masked entries; expected numbers");
   try {
-    return py::array(py::reinterpret_borrow<py::object>(values));
+    py::array array(py::reinterpret_borrow<py::object>(values));
+    if (py::isinstance<py::array>(values) || !may_be_rounded(array)) return array;
+    py::array objects = py::module_::import("numpy").attr("array")(values, "object");
+    if (array.dtype().kind() != 'f') return objects;
+    const py::object all = objects.attr("ravel")();
+    for (const py::handle value : all)
+      if (is_wide_integer(value)) return objects;
+    return array;
   } catch (py::error_already_set& e) {
     if (!e.matches(PyExc_ValueError) && !e.matches(PyExc_TypeError) && !e.matches(PyExc_OverflowError)) throw;
     throw Error(name + ": rows of different lengths; expected an array of numbers");

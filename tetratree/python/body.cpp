@@ -35,6 +35,33 @@ std::shared_ptr<Python_body> made(const py::object& vertices, const py::object& 
   return std::make_shared<Python_body>(Body(std::move(polyhedron)));
 }
 
+/// Returns what makes a body again, for pickle: a function of the module, and its arguments.
+py::tuple taken_apart(const py::object& self)
+{
+  const std::vector<Face_triangle>& triangles = self.cast<const Python_body&>().body.triangles();
+  py::array_t<Index> rows({triangles.size(), std::size_t(4)});
+  Index* row = rows.mutable_data();
+  for (const Face_triangle& triangle : triangles) {
+    *row++ = triangle.face;
+    row = std::ranges::copy(triangle.corner, row).out;
+  }
+  return py::make_tuple(py::module_::import("tetracone._tetracone").attr("_made_again"),
+                        py::make_tuple(self.attr("vertices"), self.attr("faces"), rows));
+}
+
+std::shared_ptr<Python_body> made_again(const py::object& vertices, const py::object& faces,
+                                        const py::array_t<Index>& triangles)
+{
+  if (triangles.ndim() != 2 || triangles.shape(1) != 4)
+    throw Error("body: triangles of another shape; expected (n, 4), a face and three vertices each");
+  const auto row = triangles.unchecked<2>();
+  std::vector<Face_triangle> all;
+  for (py::ssize_t k = 0; k < row.shape(0); ++k) all.push_back({row(k, 0), {row(k, 1), row(k, 2), row(k, 3)}});
+  Polyhedron polyhedron = polyhedron_of(vertices, faces);
+  const py::gil_scoped_release unlocked;
+  return std::make_shared<Python_body>(Body(std::move(polyhedron), std::move(all)));
+}
+
 std::shared_ptr<Python_body> read(const py::object& path)
 {
   const std::filesystem::path name = path_of(path);
@@ -463,9 +490,9 @@ False
              return "Body(" + std::to_string(p.vertices.size()) + " vertices, " + std::to_string(p.face_count()) +
                     " faces, " + (self.body.is_closed() ? "closed)" : "open)");
            })
-      .def(py::pickle([](const py::object& self) { return py::make_tuple(self.attr("vertices"), self.attr("faces")); },
-                      [](const py::tuple& state) { return made(state[0], state[1]); }));
+      .def("__reduce__", &taken_apart);
 
+  module.def("_made_again", &made_again);
   module.def("read", &read, py::arg("path"), R"(read(path)
 
 The body of a file: OFF, OBJ, PLY, STL or TetGen .poly, or one that was saved (.body), by the suffix. Raises Error,

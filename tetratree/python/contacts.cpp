@@ -158,6 +158,10 @@ As `loops`, exactly: lists of tuples of three fractions.Fraction.)")
 
 The segments, each once and those of one line that hang together as one, joined where exactly two end in one point, which
 is compared exactly: a list of (closed, array (m, 3)).)");
+  // pybind11 asks for memory only for an object of `Contacts.__new__`: queries return contacts that are made.
+  py::detail::get_type_info(typeid(Contacts))->operator_new = [](std::size_t) -> void* {
+    throw Error("contacts: not made; expected Query.contacts");
+  };
 }
 
 }  // namespace tetracone::python

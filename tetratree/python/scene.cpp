@@ -38,6 +38,9 @@ class Locked_scene {
  public:
   explicit Locked_scene(const Scene_options& options) : scene_(options) {}
 
+  /// Throws Error, as `Python_body::operator new`.
+  static void* operator new(std::size_t) { throw Error("scene: not made; expected Scene(bodies)"); }
+
   /// Returns what(scene), called without the interpreter's lock.
   template <class What>
   auto alone(const What& what)
@@ -253,10 +256,10 @@ budget: seconds for a frame; what is not decided then is `undecided`. 0: no limi
       .def(py::init(&made_scene), py::arg("bodies") = py::tuple(), py::arg("question") = "solid",
            py::arg("kernel") = "adaptive", py::arg("threads") = 1, py::arg("budget") = 0.0)
       .def("__len__", &Locked_scene::count)
-      .def("add", &Locked_scene::add, py::arg("body"), "add(body)\n\nOne more body; returns its number.")
+      .def("add", &Locked_scene::add, py::arg("body").none(false), "add(body)\n\nOne more body; returns its number.")
       .def("remove", &Locked_scene::remove, py::arg("number"),
            "remove(number)\n\nTakes a body out; its number is not used again.")
-      .def("replace", &Locked_scene::replace, py::arg("number"), py::arg("body"),
+      .def("replace", &Locked_scene::replace, py::arg("number"), py::arg("body").none(false),
            "replace(number, body)\n\nPuts another `Body` in its place.")
       .def("ignore", of_pair(&Scene::ignore), a, b, "ignore(a, b)\n\nThese two are not asked for.")
       .def("place", &place, py::arg("number"), py::arg("pose"),
@@ -369,10 +372,13 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
            "distance(a, b)\n\nThe distance of two placed bodies, as `Query.distance`.")
       .def(
           "within",
-          [](Locked_scene& self, double limit, std::size_t first, std::size_t second) {
-            return self.alone([&](Scene& scene) { return scene.within(first, second, limit); });
+          [](Locked_scene& self, const py::object& limit, std::size_t first, std::size_t second) {
+            const std::string most = exact_text(limit);
+            return self.alone([&](Scene& scene) { return scene.within(first, second, most); });
           },
-          py::arg("limit"), a, b, "within(limit, a, b)\n\nWhether that is at most `limit`.")
+          py::arg("limit"), a, b,
+          "within(limit, a, b)\n\nWhether that is at most `limit`: a number, a fractions.Fraction or a text \"n/d\", "
+          "decided exactly.")
       .def_property_readonly("statistics", &scene_statistics,
                              "What the last frame, or the last first contacts, have cost: a dict of moved, kept, "
                              "candidates, queries, nodes_made, bytes.");

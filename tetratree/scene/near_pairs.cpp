@@ -118,9 +118,14 @@ void Near_pairs::ask(const Deadline& deadline, Frame_statistics& statistics)
   open_pairs(statistics);
   if (bodies_.options.memory != 0)
     std::ranges::sort(open_, {}, [this](Number pair) { return std::pair(models_of(pair), pair_of(pair)); });
-  for_each_models(
-      open_, [this](Number pair) { return models_of(pair); },
-      [&](auto first, auto last) { ask_models(first, last, deadline, statistics); });
+  try {
+    for_each_models(
+        open_, [this](Number pair) { return models_of(pair); },
+        [&](auto first, auto last) { ask_models(first, last, deadline, statistics); });
+  } catch (...) {
+    list_pairs();  // the next call would not look at pairs that are answered by now
+    throw;
+  }
   list_pairs();
 }
 
@@ -303,14 +308,14 @@ void Near_pairs::find_boxes(const std::vector<Number>& pairs)
   for (const Number pair : pairs)
     for (const Number body : near_.bodies(pair).body)
       if (!bodies_.boxes[body].is_new(bodies_.places[body]) && !bodies_.states[body].is_out) {
-        bodies_.states[body].is_out = true;  // marks it as listed, until the end
+        bodies_.states[body].is_out = true;  // marks it as listed, for this loop
         bodies.push_back(body);
       }
+  for (const Number body : bodies) bodies_.states[body].is_out = false;
   bodies_.for_each(bodies.size(), 64, [&](std::size_t i, Scene_worker& worker) {
     if (i + asked_ahead < bodies.size()) bodies_.fetch_pose(bodies[i + asked_ahead]);
     bodies_.find_box(bodies[i], worker);
   });
-  for (const Number body : bodies) bodies_.states[body].is_out = false;
 }
 
 /// Decides which of the pairs may keep fronts: those that move little from frame to frame, while there is room.

@@ -90,10 +90,10 @@ double Scene::distance(std::size_t a, std::size_t b)
 {
   return data_->ask(a, b, [](Query& query, const auto&... poses) { return query.distance(poses...); });
 }
-bool Scene::within(std::size_t a, std::size_t b, double limit)
+bool Scene::within(std::size_t a, std::size_t b, double limit) { return within(a, b, kernel::shortest(limit)); }
+bool Scene::within(std::size_t a, std::size_t b, const std::string& limit)
 {
-  return data_->ask(
-      a, b, [limit](Query& query, const auto&... poses) { return query.within(poses..., kernel::shortest(limit)); });
+  return data_->ask(a, b, [&limit](Query& query, const auto&... poses) { return query.within(poses..., limit); });
 }
 
 }  // namespace tetracone

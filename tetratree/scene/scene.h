@@ -157,6 +157,8 @@ class Scene {
   double distance(std::size_t body_a, std::size_t body_b);
   /// True when their distance is at most `limit`. Throws as `relation`, and as `Query::within`.
   bool within(std::size_t body_a, std::size_t body_b, double limit);
+  /// Returns the answer for a decimal, which stands for the nearest double, or a fraction "n/d".
+  bool within(std::size_t body_a, std::size_t body_b, const std::string& limit);
 
  private:
   std::unique_ptr<detail::Scene_data> data_;

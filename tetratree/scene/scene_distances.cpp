@@ -40,6 +40,8 @@ std::vector<Scene_distance> Scene_data::pairs_within(const std::string& limit)
   std::ranges::sort(pairs, {}, [&](const Scene_pair& pair) { return std::pair(of_pair(pair), pair); });
   std::vector<Scene_distance> near;
   near_.for_each_models(pairs, of_pair, [&](auto first, auto last) {
+    for (auto at = first; at != last; ++at)
+      for (const std::size_t body : {at->a, at->b}) models().body(bodies_.states[body].model);  // one thread makes them
     std::vector<std::optional<double>> found(std::size_t(last - first));
     bodies_.for_each(found.size(), 1, [&](std::size_t i, Scene_worker& worker) {
       const Scene_pair& pair = *(first + std::ptrdiff_t(i));

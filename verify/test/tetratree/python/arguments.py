@@ -178,6 +178,10 @@ class Objects(Case):
             self.error("body: not made; expected Body(vertices, faces)", use, Body.__new__(Body))
         for use in (lambda query: query.collide(None), lambda query: query.statistics, lambda query: query.bytes):
             self.error("query: not made; expected Query(a, b)", use, Query.__new__(Query))
+        for use in (len, tetracone.Scene.pairs):
+            self.error("scene: not made; expected Scene(bodies)", use, tetracone.Scene.__new__(tetracone.Scene))
+        for use in (len, tetracone.Contacts.curves):
+            self.error("contacts: not made; expected Query.contacts", use, tetracone.Contacts.__new__(tetracone.Contacts))
 
 
 class Signals(unittest.TestCase):

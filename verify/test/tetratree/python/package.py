@@ -160,6 +160,9 @@ class Answers(Case):
             found = scene.pairs_within(limit)
             self.assertEqual((found[0].tolist(), found[1].tolist()), (pairs, distances))
             self.assertEqual(found[0].shape, (len(pairs), 2))
+        scene.place(1, [[1, 0, 0, Fraction(4, 3)], [0, 1, 0, 0], [0, 0, 1, 0]])
+        for limit, is_near in ((Fraction(1, 3), True), ("1/3", True), (0.3333, False), (1, True)):
+            self.assertIs(scene.within(limit, 0, 1), is_near)
         with self.assertRaises(Error):
             scene.pairs_within("far")
         with self.assertRaises(Error):
@@ -412,6 +415,23 @@ class Arrays(unittest.TestCase):
         self.assertTrue(query.collide(far, poses_a=near)[0])
         self.assertTrue(query.collide(far.astype("i8"), poses_a=near)[0])
 
+    def test_numbers_in_lists_keep_their_values_beside_others(self):
+        n, eps = 2**53, np.finfo(np.longdouble).eps
+        cube, wide = Body(*CUBE), Body([[x * float(n), y, z] for x, y, z in CUBE[0]], CUBE[1])
+        single = np.float32(0.1)
+        thin = Body([[x * float(single), y, z] for x, y, z in CUBE[0]], CUBE[1])
+        for body, point, place in ((wide, [n + 1, 0.5, 0.5], -1), (wide, [n + 1, "1/2", 0.5], -1), (wide, [float(n), 0.5, 0.5], 0), (wide, [n - 1, 0.5, 0.5], 1),
+                                   (wide, [2**63 + 1, -1, 0], -1), (thin, [single, "1/2", "1/2"], 0), (thin, [single, 0.5, "1/2"], 0), (thin, [0.1, "1/2", 0.5], 1),
+                                   (cube, [np.longdouble(1) + eps, "1/2", "1/2"], -1), (cube, [np.longdouble(1) + eps, 0.5, 0.5], -1)):
+            for points in (point, tuple(point)):
+                self.assertEqual(body.inside(points), place, point)
+                self.assertEqual(body.inside([points, [9e9, 9e99, 9]]).tolist(), [place, -1], point)
+        self.assertFalse(Query(wide, cube).collide([[1, 0, 0, n + 1], [0, 1, 0, 0.5], [0, 0, 1, 0.5]]))
+        self.assertTrue(Query(wide, cube).collide([[1, 0, 0, n], [0, 1, 0, 0.5], [0, 0, 1, 0.5]]))
+        self.assertEqual(cube.first_hit([-1e17, 0.5, 0.5], [1, 0, 0])[1], 1e17)  # doubles stay doubles
+        with self.assertRaisesRegex(Error, "is no double"):
+            Body([[0, 0, 0], [1, 0, 0], [0.5, 1, n + 1]], [[0, 1, 2]])
+
     def test_a_pose_of_four_rows_may_be_of_fractions(self):
         pose = np.array([[Fraction(1, 3), 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], dtype=object)
         self.assertTrue(self.query.collide(pose))
@@ -512,6 +532,9 @@ class Errors(Case):
         self.error("scene: 3 poses of 2 bodies; expected one a body", scene.first_contacts, [IDENTITY] * 3)
         self.error("motion: 2 poses at t = 0 and 3 at t = 1; expected as many, or one of either", scene.first_contacts,
                    np.ones((3, 7)), poses_0=np.ones((2, 7)), kind="rigid")
+        for use in (lambda: scene.add(None), lambda: scene.replace(0, None)):
+            with self.assertRaises(TypeError):
+                use()
         with self.assertRaises(ValueError):  # what numpy's users catch
             Query(cube, cube, "both")
 
@@ -569,9 +592,19 @@ class Objects(unittest.TestCase):
                 body.save(os.path.join(folder, "frame.off"))
 
     def test_bodies_are_pickled(self):
-        for body in (Body(*CUBE), Body(*FRAME)):
-            for again in (pickle.loads(pickle.dumps(body)), copy.deepcopy(body)):
-                self.assertEqual((again.vertices.tolist(), again.faces), (body.vertices.tolist(), body.faces))
+        with tempfile.TemporaryDirectory() as folder:
+            saved, again_saved = os.path.join(folder, "frame.body"), os.path.join(folder, "again.body")
+            subprocess.run([PROGRAM, "save", CHECKER.parents[2] / "verify/test/models/frame.poly", "--out", saved], check=True)
+            for body in (Body(*CUBE), Body(*FRAME), tetracone.read(saved)):
+                for again in (copy.deepcopy(body), *(pickle.loads(pickle.dumps(body, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1))):
+                    self.assertEqual((again.vertices.tolist(), again.faces), (body.vertices.tolist(), body.faces))
+                    body.save(saved)
+                    again.save(again_saved)
+                    self.assertEqual(pathlib.Path(again_saved).read_bytes(), pathlib.Path(saved).read_bytes())
+            again, (vertices, faces, triangles) = body.__reduce__()
+            for forged in (triangles[1:], triangles + 1, triangles[:, :3], np.vstack([triangles, triangles])):
+                with self.assertRaises(Error):
+                    again(vertices, faces, forged)
 
     def test_the_examples_of_the_docstrings(self):
         self.assertEqual(examples_failed(tetracone), 0)
