@@ -28,38 +28,38 @@ namespace py = pybind11;
 
 namespace {
 
-std::shared_ptr<Python_body> made(const py::object& vertices, const py::object& faces)
+std::shared_ptr<Python_body> made(const py::object& vertices, const py::object& faces, const py::object& triangles)
 {
+  std::vector<Face_triangle> of_faces;
+  if (!triangles.is_none()) {
+    const Rows<4> rows(triangles, "triangles", "triangle");
+    for (std::size_t k = 0; k < rows.count(); ++k) {
+      std::array<Index, 4> number{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double x = rows.is_exact_text() ? -1 : rows.row(k)[i];
+        if (!(x >= 0 && x <= double(std::numeric_limits<Index>::max())) || x != std::floor(x))
+          throw Error(rows.name(k) + ": no number of a face or a vertex; expected a face and three vertices");
+        number[i] = Index(x);
+      }
+      of_faces.push_back({number[0], {number[1], number[2], number[3]}});
+    }
+  }
   Polyhedron polyhedron = polyhedron_of(vertices, faces);
   const py::gil_scoped_release unlocked;
-  return std::make_shared<Python_body>(Body(std::move(polyhedron)));
+  return std::make_shared<Python_body>(Body(std::move(polyhedron), std::move(of_faces)));
 }
 
-/// Returns what makes a body again, for pickle: a function of the module, and its arguments.
-py::tuple taken_apart(const py::object& self)
+/// Returns an array (n, 4): the face and the three vertices of each triangle.
+py::array triangles_of(const Python_body& self)
 {
-  const std::vector<Face_triangle>& triangles = self.cast<const Python_body&>().body.triangles();
+  const std::vector<Face_triangle>& triangles = self.body.triangles();
   py::array_t<Index> rows({triangles.size(), std::size_t(4)});
   Index* row = rows.mutable_data();
   for (const Face_triangle& triangle : triangles) {
     *row++ = triangle.face;
     row = std::ranges::copy(triangle.corner, row).out;
   }
-  return py::make_tuple(py::module_::import("tetracone._tetracone").attr("_made_again"),
-                        py::make_tuple(self.attr("vertices"), self.attr("faces"), rows));
-}
-
-std::shared_ptr<Python_body> made_again(const py::object& vertices, const py::object& faces,
-                                        const py::array_t<Index>& triangles)
-{
-  if (triangles.ndim() != 2 || triangles.shape(1) != 4)
-    throw Error("body: triangles of another shape; expected (n, 4), a face and three vertices each");
-  const auto row = triangles.unchecked<2>();
-  std::vector<Face_triangle> all;
-  for (py::ssize_t k = 0; k < row.shape(0); ++k) all.push_back({row(k, 0), {row(k, 1), row(k, 2), row(k, 3)}});
-  Polyhedron polyhedron = polyhedron_of(vertices, faces);
-  const py::gil_scoped_release unlocked;
-  return std::make_shared<Python_body>(Body(std::move(polyhedron), std::move(all)));
+  return rows;
 }
 
 std::shared_ptr<Python_body> read(const py::object& path)
@@ -315,13 +315,15 @@ void add_body(py::module_& module)
 {
   const auto origins = py::arg("origins"), directions = py::arg("directions");
   const auto end = py::arg("end") = py::none();
-  py::class_<Python_body, std::shared_ptr<Python_body>>(module, "Body", R"(Body(vertices, faces)
+  py::class_<Python_body, std::shared_ptr<Python_body>>(module, "Body", R"(Body(vertices, faces, triangles=None)
 
 A polyhedron that queries can be asked about. Immutable, and shared by any number of threads.
 
 vertices: array (n, 3) of doubles, taken exactly; of texts, a decimal is the double nearest to it.
 faces: array (m, k) of vertex numbers, or a sequence of faces, each a sequence of numbers, or of loops of numbers: the
 outer boundary first, then holes, which run the other way round.
+triangles: array (n, 4) of a face and three vertices each, which cover some faces exactly, in their direction. Any other
+face of more than three corners becomes a fan if it can.
 
 Open and closed surfaces, several shells, cavities and degenerate elements are legal. Faces of more than three corners
 must be exactly planar. Raises Error for what is no polyhedron.
@@ -331,7 +333,7 @@ must be exactly planar. Raises Error for what is no polyhedron.
 >>> body
 Body(4 vertices, 4 faces, closed)
 )")
-      .def(py::init(&made), py::arg("vertices"), py::arg("faces"))
+      .def(py::init(&made), py::arg("vertices"), py::arg("faces"), py::arg("triangles") = py::none())
       .def("inside", &inside, py::arg("points"), R"(inside(points)
 
 Where points are: 1 inside the solid, 0 on its surface, -1 outside. Exact.
@@ -490,9 +492,12 @@ False
              return "Body(" + std::to_string(p.vertices.size()) + " vertices, " + std::to_string(p.face_count()) +
                     " faces, " + (self.body.is_closed() ? "closed)" : "open)");
            })
-      .def("__reduce__", &taken_apart);
-
-  module.def("_made_again", &made_again);
+      .def_property_readonly("triangles", &triangles_of,
+                             "The triangles that stand for faces of more than three corners: array (n, 4) of uint32.")
+      .def("__reduce__", [](const py::object& self) {
+        return py::make_tuple(py::type::of(self),
+                              py::make_tuple(self.attr("vertices"), self.attr("faces"), self.attr("triangles")));
+      });
   module.def("read", &read, py::arg("path"), R"(read(path)
 
 The body of a file: OFF, OBJ, PLY, STL or TetGen .poly, or one that was saved (.body), by the suffix. Raises Error,
