@@ -3,6 +3,7 @@
 #include "experiments/cli/answer_rows.h"
 #include "tetracone/kernel/number/error.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <nlohmann/json.hpp>
 
@@ -88,24 +89,73 @@ bool is_split(const Model_file& model)
   return std::ranges::adjacent_find(model.source_face) != model.source_face.end();
 }
 
-/// The contact pieces of one pose, by the faces of the files. Equal pieces of a face that was split are listed once.
+using Exact_loops = std::vector<std::vector<kernel::Rational_point>>;
+
+Exact_loops loops_of(const Contacts& contacts, std::size_t k)
+{
+  Exact_loops loops;
+  for (const auto& loop : contacts.exact_loops(k)) {
+    loops.emplace_back();
+    for (const auto& [x, y, z] : loop)
+      loops.back().push_back({*kernel::parse_number(x), *kernel::parse_number(y), *kernel::parse_number(z)});
+  }
+  return loops;
+}
+
+/// True when the segment from p to q holds the point.
+bool is_held(const kernel::Rational_point& x, const kernel::Rational_point& p, const kernel::Rational_point& q)
+{
+  const auto along = kernel::difference(q, p), way = kernel::difference(x, p);
+  for (const kernel::Rational& component : kernel::cross(along, way))
+    if (sgn(component) != 0) return false;
+  return sgn(kernel::dot(along, way)) >= 0 && sgn(kernel::dot(along, kernel::difference(x, q))) <= 0;
+}
+
+/// True when one edge of the other piece holds all points of a piece. A point is held by an equal one.
+bool is_held(const Exact_loops& piece, const Exact_loops& other)
+{
+  for (const auto& loop : other)
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const auto &p = loop[k], &q = loop[(k + 1) % loop.size()];
+      if (std::ranges::all_of(piece[0], [&](const auto& x) { return p == q ? x == p : is_held(x, p, q); })) return true;
+    }
+  return false;
+}
+
+/// Returns the pieces that other pieces of the same faces of the files hold, or equal one before. Only triangles of one
+/// face have such pieces: what they share is on their sides.
+std::set<std::size_t> held_pieces(const Contacts& contacts, const Model_file& a, const Model_file& b)
+{
+  std::map<std::pair<covering::Index, covering::Index>, std::vector<std::size_t>> pieces;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    pieces[{a.source_face[contacts[k].face_a], b.source_face[contacts[k].face_b]}].push_back(k);
+  std::set<std::size_t> held;
+  for (const auto& [faces, numbers] : pieces) {
+    if (numbers.size() == 1) continue;
+    std::map<std::size_t, Exact_loops> loops;
+    for (const std::size_t k : numbers) loops[k] = loops_of(contacts, k);
+    for (const std::size_t k : numbers)
+      for (const std::size_t other : numbers) {
+        if (contacts[k].kind == Piece::polygon || k == other || !is_held(loops[k], loops[other])) continue;
+        if (contacts[other].kind == Piece::polygon || !is_held(loops[other], loops[k]) || other < k) held.insert(k);
+      }
+  }
+  return held;
+}
+
+/// The contact pieces of one pose, by the faces of the files. Pieces of a face that was split are listed once, unless
+/// others of that face hold them.
 std::vector<std::pair<std::size_t, Contact_piece>> pieces_of(const Contacts& contacts, const Model_file& a,
                                                              const Model_file& b)
 {
-  const bool may_repeat = is_split(a) || is_split(b);
-  std::set<std::string> seen;
+  std::set<std::size_t> held;
+  if (is_split(a) || is_split(b)) held = held_pieces(contacts, a, b);
   std::vector<std::pair<std::size_t, Contact_piece>> pieces;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     Contact_piece piece = contacts[k];
     piece.face_a = a.source_face[piece.face_a];
     piece.face_b = b.source_face[piece.face_b];
-    if (may_repeat) {
-      auto loops = contacts.exact_loops(k);
-      if (piece.kind != Piece::polygon)
-        for (auto& loop : loops) std::sort(loop.begin(), loop.end());
-      if (!seen.insert(piece_json(piece, loops).dump()).second) continue;
-    }
-    pieces.emplace_back(k, piece);
+    if (!held.contains(k)) pieces.emplace_back(k, piece);
   }
   return pieces;
 }

@@ -5,18 +5,29 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/door/body_file.h"
 #include "tetracone/tetratree/door/repair.h"
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <future>
 #include <iostream>
+#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace tetracone::experiments {
 namespace {
+
+using Side = std::array<covering::Index, 2>;
+
+Side side_of(covering::Index from, covering::Index to)
+{
+  return {kernel::minimum(from, to), kernel::maximum(from, to)};
+}
 
 [[noreturn]] void refuse_open(const std::string& file, const covering::Polyhedron& polyhedron)
 {
@@ -43,6 +54,34 @@ Model_file saved_model(const std::string& file)
   return {file, saved, all_faces(saved.polyhedron())};
 }
 
+/// Returns `Model_file::inner_edges`: sides that two triangles of one face have, and no other face has.
+std::map<Side, covering::Index> inner_edges(const Model_file& model)
+{
+  const std::vector<covering::Index>& source = model.source_face;
+  const auto for_sides = [&](covering::Index f, const auto& what) {
+    for (std::size_t l = 0; l < model.polyhedron().loop_count(f); ++l) {
+      const auto loop = model.polyhedron().loop(f, l);
+      for (std::size_t k = 0; k < loop.size(); ++k) what(side_of(loop[k], loop[(k + 1) % loop.size()]));
+    }
+  };
+  std::map<Side, covering::Index> inner;
+  std::set<Side> seen;
+  for (covering::Index f = 0; f < source.size(); ++f) {
+    if (f == 0 || source[f - 1] != source[f]) seen.clear();
+    const bool is_split =
+        (f > 0 && source[f - 1] == source[f]) || (f + 1 < source.size() && source[f + 1] == source[f]);
+    if (is_split)
+      for_sides(f, [&](const Side& side) {
+        if (!seen.insert(side).second) inner[side] = source[f];
+      });
+  }
+  for (covering::Index f = 0; f < source.size(); ++f)
+    for_sides(f, [&](const Side& side) {
+      if (const auto at = inner.find(side); at != inner.end() && at->second != source[f]) inner.erase(at);
+    });
+  return inner;
+}
+
 /// Appends the lines for stderr to `lines`.
 Model_file planar_model(const std::string& file, covering::Polyhedron polyhedron, bool strict, std::string& lines)
 {
@@ -54,7 +93,9 @@ Model_file planar_model(const std::string& file, covering::Polyhedron polyhedron
     lines += file + ": " + std::to_string(planar.replaced.size()) + " faces are not exactly planar (first: " + first +
              "); replaced by triangles\n";
   }
-  return {file, triangulated_body(std::move(planar.polyhedron)), std::move(planar.source)};
+  Model_file model{file, triangulated_body(std::move(planar.polyhedron)), std::move(planar.source)};
+  model.inner_edges = inner_edges(model);
+  return model;
 }
 
 /// As `load_model`, with the lines for stderr in `lines`.
@@ -93,7 +134,9 @@ void Model_options::add_to(CLI::App& command, const char* on_strict)
 Holder named_as_in_file(Holder holder, const Model_file& model)
 {
   if (holder.kind == Holder::Kind::face) holder.number[0] = model.source_face[holder.number[0]];
-  return holder;
+  if (holder.kind != Holder::Kind::edge || model.inner_edges.empty()) return holder;
+  const auto inner = model.inner_edges.find(side_of(holder.number[0], holder.number[1]));
+  return inner == model.inner_edges.end() ? holder : Holder{Holder::Kind::face, {inner->second}};
 }
 
 std::string what_closes(const covering::Polyhedron& polyhedron)

@@ -5,6 +5,7 @@
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,14 @@ struct Model_file {
   std::vector<covering::Index>
       source_face;             ///< for each face, the face of the file that it is, or is a triangle of; ascending
   bool is_as_in_file = false;  ///< the file has these vertices, and in their directions the faces of `source_face`
+  /// For sides within a face that triangles replace, which are no edges of the file: the face. A side is its vertices,
+  /// the smaller number first.
+  std::map<std::array<covering::Index, 2>, covering::Index> inner_edges = {};
 
   const covering::Polyhedron& polyhedron() const { return body.polyhedron(); }
 };
 
-/// Returns the holder with its face as in the file: triangles that replace a face become that face.
+/// Returns the holder as in the file: triangles that replace a face, and sides within it, become that face.
 Holder named_as_in_file(Holder holder, const Model_file& model);
 
 /// Returns, for an open polyhedron, a text that names the options that would close it, or says that orientation would

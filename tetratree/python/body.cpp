@@ -196,23 +196,21 @@ class Rays {
   {
     for (const Points* rows : {&origins_, &directions_})
       if (rows->is_exact_text()) throw Error(rows->name(0) + ": numbers that are no doubles; expected doubles");
-    if (!origins_.is_one() && !directions_.is_one() && origins_.count() != directions_.count())
-      throw Error("rays: " + std::to_string(origins_.count()) + " origins and " + std::to_string(directions_.count()) +
-                  " directions; expected as many, or one of either");
-    if (!are_one() && !more.is_one() && count_of_rays() != more.count())
-      throw Error("rays: " + std::to_string(count_of_rays()) + " of them, and " + std::to_string(more.count()) +
+    count_ = common_count("rays", origins_.count(), " origins", directions_.count(), " directions");
+    if (!are_one() && !more.is_one() && count_ != more.count())
+      throw Error("rays: " + std::to_string(count_) + " of them, and " + std::to_string(more.count()) +
                   " numbers for them; expected as many, or one of either");
   }
 
   bool is_one() const { return are_one() && more_.is_one(); }
-  std::size_t count() const { return are_one() ? more_.count() : count_of_rays(); }
+  std::size_t count() const { return are_one() ? more_.count() : count_; }
 
   /// Returns what ask(ray k) returns. Throws Error with the ray's name.
   template <class Ask>
   auto answer(std::size_t k, const Ask& ask) const
   {
     try {
-      return ask(Ray{origins_.row(k), directions_.row(k)});
+      return ask(Ray{origins_.row(origins_.count() == 1 ? 0 : k), directions_.row(directions_.count() == 1 ? 0 : k)});
     } catch (const Error& error) {
       throw renamed(error, "ray:", is_one() ? "ray:" : "rays[" + std::to_string(k) + "]:");
     }
@@ -220,9 +218,9 @@ class Rays {
 
  private:
   bool are_one() const { return origins_.is_one() && directions_.is_one(); }
-  std::size_t count_of_rays() const { return origins_.is_one() ? directions_.count() : origins_.count(); }
 
   Points origins_, directions_;
+  std::size_t count_ = 0;
   const Column& more_;
 };
 

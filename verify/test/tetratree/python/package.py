@@ -129,6 +129,7 @@ class Answers(Case):
                 self.assertEqual([[float(x) for x in line.split()[3:]] for line in said], [[] if f < 0 else n.tolist() for f, n in zip(faces, normals)])
                 self.assertEqual(self.program("ray", *names, "--end", end, "--any").stdout.split(), [str(int(x)) for x in cube.is_hit(origins, directions, end)])
         self.assertEqual(cube.is_hit(origins, directions).tolist(), [True, True, False, True])
+        self.assertEqual(cube.is_hit(origins, directions[:1]).tolist(), [cube.is_hit(o, directions[0]) for o in origins])
         third = cube.first_hit(origins[0], directions[0])[1]
         below = np.nextafter(third, 0)
         self.assertEqual(cube.is_hit(origins[0], directions[0], [third, below, 1, -1, np.inf, -np.inf]).tolist(), [False, False, True, False, True, False])
@@ -532,6 +533,8 @@ class Errors(Case):
         self.error("scene: 3 poses of 2 bodies; expected one a body", scene.first_contacts, [IDENTITY] * 3)
         self.error("motion: 2 poses at t = 0 and 3 at t = 1; expected as many, or one of either", scene.first_contacts,
                    np.ones((3, 7)), poses_0=np.ones((2, 7)), kind="rigid")
+        for direction in ("123", {1: 2, 2: 3, 3: 4}, 7):
+            self.error(f"exits: a direction of type {type(direction).__name__}; expected 3 numbers", Query(cube, cube).exits, direction, None)
         for use in (lambda: scene.add(None), lambda: scene.replace(0, None)):
             with self.assertRaises(TypeError):
                 use()
