@@ -44,8 +44,8 @@ bool is_wide_integer(const py::handle& value)
   return !nearest || !nearest.equal(number);
 }
 
-/// True when numpy may have rounded values to make them an array. It makes doubles of floats with integers, and texts of
-/// texts with numbers.
+/// True when numpy may have rounded values to make them an array. It makes doubles of floats with integers, and texts
+/// of texts with numbers.
 bool may_be_rounded(const py::array& array)
 {
   const char kind = array.dtype().kind();
