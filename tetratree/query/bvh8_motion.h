@@ -207,10 +207,15 @@ class Bvh8_motion {
         : turn{float(span.turn(0)), float(span.turn(1))},
           scale{float(span.scale(0)), float(span.scale(1))},
           rest(reference.is_certifiable() ? float(reference.rest()) : 0),
-          // A loss below what doubles can resolve is not worth another halving.
-          least(float(8 * span.resolution())),
+          // A loss that halves do not reduce, or that doubles do not resolve, is not worth another halving.
+          least(float(kernel::maximum(8 * span.resolution(), 2 * lasting(reference)))),
           has_halves(span.k() < most_halvings)
     {}
+
+    static double lasting(const Span_reference& reference)
+    {
+      return reference.is_certifiable() ? reference.lasting_rest() : 0;
+    }
 
     /// True when the boxes' loss exceeds this fraction of their size.
     bool is_long(const Pair& pair, float share) const

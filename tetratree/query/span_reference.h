@@ -96,6 +96,9 @@ class Span_reference {
 
   /// Returns an upper bound of the loss of a gap by the rest and by rounding, wherever the bodies are, in common units.
   double rest() const { return rest_; }
+  /// Returns the part of `rest` that halves of the span do not reduce: rounding, and the error of directions where the
+  /// maps are no similarities.
+  double lasting_rest() const { return lasting_rest_; }
 
  private:
   using Rows = std::array<Vertex, 3>;
@@ -147,9 +150,9 @@ class Span_reference {
       const double share = double(i) / double(last);
       rest = kernel::maximum(rest, norm(sum(over_weight(i), 1, sum(first, 1 - share, end, share), -1)));
     }
-    rest_ = errors_along * span.error() / least_weight +
-            (rest + (most_weight - least_weight) / least_weight * norm(half)) +
-            direction_error * (norm(middle) + norm(half) + rest);
+    lasting_rest_ = errors_along * span.error() / least_weight + direction_error * norm(middle);
+    rest_ = lasting_rest_ + (rest + (most_weight - least_weight) / least_weight * norm(half)) +
+            direction_error * (norm(half) + rest);
     is_certifiable_ = least_weight > 0 && rest_ < 1;
     for (std::size_t k = 0; k < 2; ++k)
       sweep_[k] = {seen_from(k, middle), seen_from(k, half), rest_ / scale_[k] * (1 + kernel::few_roundings)};
@@ -187,7 +190,7 @@ class Span_reference {
 
   std::array<kernel::Box_map, 2> into_;  // from body k's units into the other's
   std::array<kernel::Box_sweep, 2> sweep_;
-  double rest_ = 0;
+  double rest_ = 0, lasting_rest_ = 0;
   std::array<double, 2> scale_;   // the length of a column
   std::array<Rows, 2> rotation_;  // R_k
   // R_k over the length of a column: a gap g along a direction in local units is g times that length along its image.
