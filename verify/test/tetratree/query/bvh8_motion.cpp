@@ -226,6 +226,28 @@ BOOST_AUTO_TEST_CASE(faces_of_no_area_and_bodies_of_any_size_meet_too)
   BOOST_TEST(bounds_about(time->time).lo == 0.5);
 }
 
+BOOST_AUTO_TEST_CASE(a_part_far_from_the_rest_of_its_body_lets_the_search_end)
+{
+  const Polyhedron cube = scenes::triangulated(scenes::unit_cube());
+  Polyhedron with_far = cube;
+  for (const Vertex& v : cube.vertices) with_far.vertices.push_back({0x1p30 + v[0] * 0x1p-10, v[1], v[2]});
+  for (Index f = 0; f < cube.face_count(); ++f) {
+    std::array<Index, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = cube.loop(f, 0)[k] + Index(cube.vertices.size());
+    with_far.add_polygon(corners);
+  }
+  // Between a turned pose and one that is not, maps are no similarities.
+  const auto moves =
+      Body_motion::linear(Pose({-0.53, 0.85, 0.05, -0.94, -0.28, -0.12, -0.95, 0.06, -0.8, -0.52, 0.3, -2.06}), Pose());
+  const Bvh8 of_cube(cube), of_both(with_far);
+  Bvh8_motion alone(of_cube, of_cube), both(of_cube, of_both);
+  const auto expected = alone(rests, moves), found = both(rests, moves);
+  BOOST_REQUIRE((expected.has_value() && found.has_value()));
+  BOOST_TEST(bounds_about(found->time).lo == bounds_about(expected->time).lo);
+  BOOST_TEST(bounds_about(found->time).hi == bounds_about(expected->time).hi);
+  BOOST_TEST(both.counts().box_tests < 100000u);
+}
+
 BOOST_AUTO_TEST_CASE(features_that_land_together_need_no_number_each)
 {
   const Polyhedron table = scenes::triangulated(scenes::box({-4, -4, -1}, {4, 4, 0}));
