@@ -237,8 +237,8 @@ BOOST_AUTO_TEST_CASE(a_part_far_from_the_rest_of_its_body_lets_the_search_end)
     with_far.add_polygon(corners);
   }
   // Between a turned pose and one that is not, maps are no similarities.
-  const auto moves =
-      Body_motion::linear(Pose({-0.53, 0.85, 0.05, -0.94, -0.28, -0.12, -0.95, 0.06, -0.8, -0.52, 0.3, -2.06}), Pose());
+  const std::array<double, 12> turned = {-0.53, 0.85, 0.05, -0.94, -0.28, -0.12, -0.95, 0.06, -0.8, -0.52, 0.3, -2.06};
+  const auto moves = Body_motion::linear(Pose(turned), Pose());
   const Bvh8 of_cube(cube), of_both(with_far);
   Bvh8_motion alone(of_cube, of_cube), both(of_cube, of_both);
   const auto expected = alone(rests, moves), found = both(rests, moves);
