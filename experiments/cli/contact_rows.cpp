@@ -1,6 +1,7 @@
 #include "experiments/cli/contact_rows.h"
 
 #include "experiments/cli/answer_rows.h"
+#include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/error.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/products.h"
@@ -91,6 +92,8 @@ bool is_split(const Model_file& model)
 
 using Exact_loops = std::vector<std::vector<kernel::Rational_point>>;
 
+/// Returns the loops of a piece. The points of a piece that is no polygon are sorted, so that equal pieces have equal
+/// loops.
 Exact_loops loops_of(const Contacts& contacts, std::size_t k)
 {
   Exact_loops loops;
@@ -98,6 +101,7 @@ Exact_loops loops_of(const Contacts& contacts, std::size_t k)
     loops.emplace_back();
     for (const auto& [x, y, z] : loop)
       loops.back().push_back({*kernel::parse_number(x), *kernel::parse_number(y), *kernel::parse_number(z)});
+    if (contacts[k].kind != Piece::polygon) std::ranges::sort(loops.back());
   }
   return loops;
 }
@@ -111,13 +115,13 @@ bool is_held(const kernel::Rational_point& x, const kernel::Rational_point& p, c
   return sgn(kernel::dot(along, way)) >= 0 && sgn(kernel::dot(along, kernel::difference(x, q))) <= 0;
 }
 
-/// True when one edge of the other piece holds all points of a piece. A point is held by an equal one.
+/// True when one edge of the other piece holds all points of a piece.
 bool is_held(const Exact_loops& piece, const Exact_loops& other)
 {
   for (const auto& loop : other)
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const auto &p = loop[k], &q = loop[(k + 1) % loop.size()];
-      if (std::ranges::all_of(piece[0], [&](const auto& x) { return p == q ? x == p : is_held(x, p, q); })) return true;
+      if (p != q && std::ranges::all_of(piece[0], [&](const auto& x) { return is_held(x, p, q); })) return true;
     }
   return false;
 }
@@ -136,8 +140,9 @@ std::set<std::size_t> held_pieces(const Contacts& contacts, const Model_file& a,
     for (const std::size_t k : numbers) loops[k] = loops_of(contacts, k);
     for (const std::size_t k : numbers)
       for (const std::size_t other : numbers) {
-        if (contacts[k].kind == Piece::polygon || k == other || !is_held(loops[k], loops[other])) continue;
-        if (contacts[other].kind == Piece::polygon || !is_held(loops[other], loops[k]) || other < k) held.insert(k);
+        const bool is_equal = loops[k] == loops[other];
+        if (is_equal ? other < k : contacts[k].kind != Piece::polygon && is_held(loops[k], loops[other]))
+          held.insert(k);
       }
   }
   return held;

@@ -5,29 +5,22 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/door/body_file.h"
 #include "tetracone/tetratree/door/repair.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <future>
 #include <iostream>
 #include <map>
 #include <numeric>
-#include <set>
+#include <span>
 #include <utility>
 
 namespace tetracone::experiments {
 namespace {
-
-using Side = std::array<covering::Index, 2>;
-
-Side side_of(covering::Index from, covering::Index to)
-{
-  return {kernel::minimum(from, to), kernel::maximum(from, to)};
-}
 
 [[noreturn]] void refuse_open(const std::string& file, const covering::Polyhedron& polyhedron)
 {
@@ -54,31 +47,16 @@ Model_file saved_model(const std::string& file)
   return {file, saved, all_faces(saved.polyhedron())};
 }
 
-/// Returns `Model_file::inner_edges`: sides that two triangles of one face have, and no other face has.
-std::map<Side, covering::Index> inner_edges(const Model_file& model)
+/// Returns `Model_file::inner_edges`: edges of several triangles of one face, and of no other face.
+std::map<std::array<covering::Index, 2>, covering::Index> inner_edges(const Model_file& model)
 {
-  const std::vector<covering::Index>& source = model.source_face;
-  const auto for_sides = [&](covering::Index f, const auto& what) {
-    for (std::size_t l = 0; l < model.polyhedron().loop_count(f); ++l) {
-      const auto loop = model.polyhedron().loop(f, l);
-      for (std::size_t k = 0; k < loop.size(); ++k) what(side_of(loop[k], loop[(k + 1) % loop.size()]));
-    }
-  };
-  std::map<Side, covering::Index> inner;
-  std::set<Side> seen;
-  for (covering::Index f = 0; f < source.size(); ++f) {
-    if (f == 0 || source[f - 1] != source[f]) seen.clear();
-    const bool is_split =
-        (f > 0 && source[f - 1] == source[f]) || (f + 1 < source.size() && source[f + 1] == source[f]);
-    if (is_split)
-      for_sides(f, [&](const Side& side) {
-        if (!seen.insert(side).second) inner[side] = source[f];
-      });
-  }
-  for (covering::Index f = 0; f < source.size(); ++f)
-    for_sides(f, [&](const Side& side) {
-      if (const auto at = inner.find(side); at != inner.end() && at->second != source[f]) inner.erase(at);
-    });
+  std::map<std::array<covering::Index, 2>, covering::Index> inner;
+  const auto uses = covering::edge_uses(model.polyhedron());
+  covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
+    const covering::Index first = edge.front().face, last = edge.back().face;
+    if (first != last && model.source_face[first] == model.source_face[last])
+      inner[{edge.front().low, edge.front().high}] = model.source_face[first];
+  });
   return inner;
 }
 
@@ -94,7 +72,7 @@ Model_file planar_model(const std::string& file, covering::Polyhedron polyhedron
              "); replaced by triangles\n";
   }
   Model_file model{file, triangulated_body(std::move(planar.polyhedron)), std::move(planar.source)};
-  model.inner_edges = inner_edges(model);
+  if (!planar.replaced.empty()) model.inner_edges = inner_edges(model);
   return model;
 }
 
@@ -135,7 +113,8 @@ Holder named_as_in_file(Holder holder, const Model_file& model)
 {
   if (holder.kind == Holder::Kind::face) holder.number[0] = model.source_face[holder.number[0]];
   if (holder.kind != Holder::Kind::edge || model.inner_edges.empty()) return holder;
-  const auto inner = model.inner_edges.find(side_of(holder.number[0], holder.number[1]));
+  const auto [low, high] = std::minmax(holder.number[0], holder.number[1]);
+  const auto inner = model.inner_edges.find({low, high});
   return inner == model.inner_edges.end() ? holder : Holder{Holder::Kind::face, {inner->second}};
 }
 

@@ -34,7 +34,7 @@ struct Model_file {
   std::vector<covering::Index>
       source_face;             ///< for each face, the face of the file that it is, or is a triangle of; ascending
   bool is_as_in_file = false;  ///< the file has these vertices, and in their directions the faces of `source_face`
-  /// For sides within a face that triangles replace, which are no edges of the file: the face. A side is its vertices,
+  /// The face, for each edge within a face that triangles replace; the file has no such edge. Its key is its vertices,
   /// the smaller number first.
   std::map<std::array<covering::Index, 2>, covering::Index> inner_edges = {};
 
