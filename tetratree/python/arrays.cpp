@@ -15,6 +15,12 @@ namespace tetracone::python {
 
 namespace py = pybind11;
 
+bool is_sequence(const py::handle& value)
+{
+  if (py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value)) return false;
+  return py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value);
+}
+
 namespace {
 
 /// True when an array, or one within lists of lists, has masked entries. They are refused, since numpy drops their
@@ -130,13 +136,6 @@ std::optional<double> double_of(const std::string& text)
   return kernel::Rational(nearest) == *number ? std::optional(nearest) : std::nullopt;
 }
 
-/// True for a sequence that is neither a text nor bytes: both are sequences too.
-bool is_loop(const py::handle& value)
-{
-  if (py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value)) return false;
-  return py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value);
-}
-
 std::vector<std::uint32_t> loop_of(const py::handle& corners, std::size_t face, std::size_t vertex_count)
 {
   std::vector<std::uint32_t> loop;
@@ -147,15 +146,15 @@ std::vector<std::uint32_t> loop_of(const py::handle& corners, std::size_t face, 
 
 std::vector<std::vector<std::uint32_t>> loops_of(const py::handle& face, std::size_t f, std::size_t vertex_count)
 {
-  if (!is_loop(face))
+  if (!is_sequence(face))
     throw Error("body: face " + std::to_string(f) + " is of type " + type_of(face) +
                 "; expected a sequence of vertex numbers, or of loops of them");
   if (py::len(face) == 0) throw Error("body: face " + std::to_string(f) + " is empty; expected vertex numbers");
   const auto first = py::reinterpret_borrow<py::object>(*py::iter(face));
-  if (!is_loop(first)) return {loop_of(face, f, vertex_count)};
+  if (!is_sequence(first)) return {loop_of(face, f, vertex_count)};
   std::vector<std::vector<std::uint32_t>> loops;
   for (const py::handle loop : face) {
-    if (!is_loop(loop))
+    if (!is_sequence(loop))
       throw Error("body: face " + std::to_string(f) + " has a loop of type " + type_of(loop) +
                   "; expected sequences of vertex numbers");
     loops.push_back(loop_of(loop, f, vertex_count));
@@ -314,7 +313,7 @@ Polyhedron polyhedron_of(const py::handle& vertices, const py::handle& faces)
       return polyhedron;
     }
   }
-  if (!is_loop(faces))
+  if (!is_sequence(faces))
     throw Error("faces: of type " + type_of(faces) + "; expected an array (m, k) of integers, or a sequence of faces");
   std::size_t f = 0;
   for (const py::handle face : faces) polyhedron.add_face(loops_of(face, f++, polyhedron.vertices.size()));

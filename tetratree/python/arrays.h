@@ -17,6 +17,9 @@
 /// Python's arrays, converted for the door. No number is rounded on the way: a number that is no double becomes a text.
 namespace tetracone::python {
 
+/// True for a sequence that is neither a text nor bytes: both are sequences too.
+bool is_sequence(const pybind11::handle& value);
+
 /// Returns the error, with `to` in place of `from` where its line begins with `from`.
 Error renamed(const Error& error, std::string_view from, const std::string& to);
 

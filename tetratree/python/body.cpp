@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,13 @@ namespace py = pybind11;
 
 namespace {
 
+/// Returns the index that a double is; nothing if it is none.
+std::optional<Index> index_of(double x)
+{
+  const bool is_index = x >= 0 && x <= double(std::numeric_limits<Index>::max()) && x == std::floor(x);
+  return is_index ? std::optional(Index(x)) : std::nullopt;
+}
+
 std::shared_ptr<Python_body> made(const py::object& vertices, const py::object& faces, const py::object& triangles)
 {
   std::vector<Face_triangle> of_faces;
@@ -36,10 +44,9 @@ std::shared_ptr<Python_body> made(const py::object& vertices, const py::object& 
     for (std::size_t k = 0; k < rows.count(); ++k) {
       std::array<Index, 4> number{};
       for (std::size_t i = 0; i < 4; ++i) {
-        const double x = rows.is_exact_text() ? -1 : rows.row(k)[i];
-        if (!(x >= 0 && x <= double(std::numeric_limits<Index>::max())) || x != std::floor(x))
-          throw Error(rows.name(k) + ": no number of a face or a vertex; expected a face and three vertices");
-        number[i] = Index(x);
+        const auto index = rows.is_exact_text() ? std::nullopt : index_of(rows.row(k)[i]);
+        if (!index) throw Error(rows.name(k) + ": no number of a face or a vertex; expected a face and three vertices");
+        number[i] = *index;
       }
       of_faces.push_back({number[0], {number[1], number[2], number[3]}});
     }
@@ -177,10 +184,10 @@ class Face_numbers : public Column {
   {
     const double number = (*this)(k);
     if (number == -1) return none;
-    if (!(number >= 0 && number <= double(std::numeric_limits<Index>::max())) || number != std::floor(number))
-      throw Error(name(k) + ": " + kernel::shortest(number) + "; expected a face's number, or -1 for no face");
+    const auto face = index_of(number);
+    if (!face) throw Error(name(k) + ": " + kernel::shortest(number) + "; expected a face's number, or -1 for no face");
     try {
-      return ask(Index(number));
+      return ask(*face);
     } catch (const Error& error) {
       throw renamed(error, "body:", name(k) + ":");
     }
@@ -496,6 +503,7 @@ False
         return py::make_tuple(py::type::of(self),
                               py::make_tuple(self.attr("vertices"), self.attr("faces"), self.attr("triangles")));
       });
+
   module.def("read", &read, py::arg("path"), R"(read(path)
 
 The body of a file: OFF, OBJ, PLY, STL or TetGen .poly, or one that was saved (.body), by the suffix. Raises Error,

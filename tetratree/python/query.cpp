@@ -433,8 +433,7 @@ std::shared_ptr<Locked_query> made_query(const Python_body& a, const Python_body
 
 std::array<std::string, 3> direction_of(const py::object& direction)
 {
-  if (py::isinstance<py::str>(direction) || !py::isinstance<py::sequence>(direction))
-    throw Error("exits: a direction of type " + type_of(direction) + "; expected 3 numbers");
+  if (!is_sequence(direction)) throw Error("exits: a direction of type " + type_of(direction) + "; expected 3 numbers");
   const py::tuple given(direction);
   if (given.size() != 3) throw Error("exits: a direction of " + std::to_string(given.size()) + " numbers; expected 3");
   return {exact_text(given[0]), exact_text(given[1]), exact_text(given[2])};
