@@ -208,14 +208,10 @@ class Bvh8_motion {
           scale{float(span.scale(0)), float(span.scale(1))},
           rest(reference.is_certifiable() ? float(reference.rest()) : 0),
           // A loss that halves do not reduce, or that doubles do not resolve, is not worth another halving.
-          least(float(kernel::maximum(8 * span.resolution(), 2 * lasting(reference)))),
+          least(float(
+              kernel::maximum(8 * span.resolution(), reference.is_certifiable() ? 2 * reference.lasting_rest() : 0.0))),
           has_halves(span.k() < most_halvings)
     {}
-
-    static double lasting(const Span_reference& reference)
-    {
-      return reference.is_certifiable() ? reference.lasting_rest() : 0;
-    }
 
     /// True when the boxes' loss exceeds this fraction of their size.
     bool is_long(const Pair& pair, float share) const
