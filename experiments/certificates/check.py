@@ -293,7 +293,7 @@ def prove(text, models=(), demands=()):
     bodies = [Body(entry, None if "vertices" in entry else next(files, None)) for entry in entries]
     need_form(next(files, None) is None, "more model files than the certificate names")
     for key, path in demands:
-        need_given(answers, asked, key, path)
+        need_given(answers, rows, asked, key, path)
     for row, answer in zip(rows, answers):
         proof, known = QUESTIONS.get(answer["ask"], (None, "ask"))
         need_keys(answer, known if is_each else known + " row")

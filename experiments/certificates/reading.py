@@ -151,7 +151,7 @@ def read_model(path):
     return vertices, faces, hashlib.sha256(data).hexdigest()
 
 
-def need_given(answers, asked, key, path):
+def need_given(answers, rows, asked, key, path):
     """Each answer is about its row of the file, of `asked` rows; one row serves all. A row is one number, or a vector or pose."""
     said = [answer["origin"] + answer["direction"] if key == "ray" else answer[key] for answer in answers]
     said = [[words] if isinstance(words, str) else words for words in said]
@@ -161,7 +161,6 @@ def need_given(answers, asked, key, path):
     if size == 12 and len(numbers) in (16, 16 * asked) and all(numbers[k + 12:k + 16] == [0, 0, 0, 1] for k in range(0, len(numbers), 16)):
         numbers = [x for k in range(0, len(numbers), 16) for x in numbers[k:k + 12]]  # matrices of four rows
     need_form(len(numbers) in (size, size * asked), f"{path} has not {size} numbers for each of {asked} rows")
-    for k, (answer, words) in enumerate(zip(answers, said)):
-        row = answer.get("row", k)
+    for row, words in zip(rows, said):
         first = row * size % len(numbers)
         need(vector(words, given, size) == numbers[first:first + size], f"answer {row} is not about what {path} says")

@@ -832,7 +832,7 @@ let prove_motion answer bodies =
   end
 
 (* Each answer is about its row of the file, of `asked` rows; one row serves all. A row is one number, or a vector or pose. *)
-let need_given answers asked key path =
+let need_given answers row_numbers asked key path =
   let said answer = match if key = "ray" then List (rows (get answer "origin") @ rows (get answer "direction")) else get answer key with
     | String word -> List [String word]
     | words -> words in
@@ -840,16 +840,15 @@ let need_given answers asked key path =
   let rec chunks = function [] -> [] | l -> take 16 l :: chunks (drop 16 l) in
   let is_matrix chunk = List.for_all2 Q.equal (drop 12 chunk) [Q.zero; Q.zero; Q.zero; Q.one] in
   let numbers = List.map given_word (List.concat (lines_of (read_bytes path))) in
-  let is_square = size = 12 && List.mem (List.length numbers) [16; 16 * asked] && List.for_all is_matrix (chunks numbers) in
+  let is_square = size = 12 && List.mem (List.length numbers / 16) [1; asked] && List.length numbers mod 16 = 0 && List.for_all is_matrix (chunks numbers) in
   let numbers = if is_square then List.concat_map (take 12) (chunks numbers) else numbers in  (* matrices of four rows *)
   let count = List.length numbers in
-  need_form (size > 0 && (count = size || count = size * asked)) (Printf.sprintf "%s has not %d numbers for each of %d rows" path size asked);
+  need_form (size > 0 && (count = size || (count mod size = 0 && count / size = asked))) (Printf.sprintf "%s has not %d numbers for each of %d rows" path size asked);
   let numbers = Array.of_list numbers in
-  List.iteri (fun k answer ->
-    let row = match answer with Object items -> (match List.assoc_opt "row" items with Some (Int row) -> row | _ -> k) | _ -> k in
+  List.iter2 (fun row answer ->
     let at = if count = size then 0 else row * size in
     need (List.for_all2 Q.equal (vector ~number:given ~size (said answer)) (Array.to_list (Array.sub numbers at size)))
-      (Printf.sprintf "answer %d is not about what %s says" row path)) answers
+      (Printf.sprintf "answer %d is not about what %s says" row path)) row_numbers answers
 
 let kinds = ["collide", prove_collide; "distance", prove_distance; "within", prove_within; "inside", prove_inside; "ray", prove_ray;
              "relation", prove_relation; "motion", prove_motion; "exit", prove_exit; "depth", prove_depth]
@@ -881,7 +880,7 @@ let prove text_of models givens print =
   need_form (!files = []) "more model files than the certificate names";
   List.iter (fun word -> match String.index_opt word '=' with
     | Some k when List.mem (String.sub word 0 k) ["pose_a"; "pose_b"; "from_a"; "to_a"; "from_b"; "to_b"; "point"; "ray"; "limit"; "end"; "direction"] ->
-        need_given answers asked (String.sub word 0 k) (String.sub word (k + 1) (String.length word - k - 1))
+        need_given answers numbers asked (String.sub word 0 k) (String.sub word (k + 1) (String.length word - k - 1))
     | _ -> bad "--given %s is unknown" word) givens;
   List.iter2 (fun row answer ->
     let ask = text (get answer "ask") in
