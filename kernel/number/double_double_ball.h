@@ -33,6 +33,13 @@ struct Double_double_ball {
   /// Upper bound of the relative error of the high part, and of its product with 1 - `high_rounding`
   /// (verify/proofs/nearest_proofs.h).
   static constexpr double high_rounding = 4 * u;
+  // Those below are for quotients by a number and by a root. They are derived in verify/proofs/nearest_proofs.h too.
+  static constexpr double most_radius = 0x1p-48,  ///< of an accepted divisor's radius, relative to its high part
+      quotient_rounding = 0x1p-47,  ///< upper bound of the error of a quotient's second part, relative to this part
+      of_quotients = 1 + 0x1p-47,   ///< factor that covers the rounding of a quotient's radius
+      most_step = 0x1p-42,          ///< of an accepted step from a root's first part, relative to this part
+      step_rounding = 0x1p-41,      ///< upper bound of the error of the step, relative to the step
+      of_steps = 1 + 0x1p-41;       ///< factor that covers the rounding of a step's radius
 
   /// Return the radius of a sum and of a product x y. They take the radii of both numbers and the result's magnitude;
   /// the product also takes both magnitudes.
@@ -66,26 +73,50 @@ struct Double_double_ball {
                                        std::abs(product.high))};
   }
 
+  /// Returns the quotient. Its radius is infinite unless y is surely above 0 and known up to `most_radius`.
+  ///
+  /// With q = x / y in double, the exact quotient is q + (x - q y) / y.
+  friend Double_double_ball operator/(const Double_double_ball& x, const Double_double_ball& y)
+  {
+    const double by = y.middle.high, first = x.middle.high / by;
+    const Double_double_ball rest = x - y * first;
+    const double second = rest.middle.high / by;
+    const double radius = (rest.radius / by + quotient_rounding * std::abs(second)) * of_quotients + underflow;
+    return {Double_double::sum(first, second), y.is_divisor() ? radius : HUGE_VAL};
+  }
+
+  /// True when the number is surely above 0, and known up to `most_radius`.
+  bool is_divisor() const { return radius < most_radius * middle.high; }
+
+  /// Returns the double that is nearest to every number of the ball. Returns nothing if there is none, and outside
+  /// 2^-900 to 2^900.
+  std::optional<double> nearest() const
+  {
+    const double size = std::abs(middle.high);
+    if (!(size > 0x1p-900 && size < 0x1p900)) return std::nullopt;
+    // The neighbour towards 0 is no farther than the other.
+    const double towards_0 = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) - 1);
+    if (!((std::abs(middle.low) + radius) * of_radii < (size - towards_0) / 2)) return std::nullopt;
+    return middle.high;
+  }
+
   /// True when the number is surely above 0.
   bool is_positive() const { return middle.high * (1 - high_rounding) > radius; }
 };
 
-/// Returns the double nearest to top / sqrt(square), where the quotient surely lies between the midpoints to both
-/// neighbours. Returns nothing elsewhere, and outside 2^-900 to 2^900. Requires numbers top > 0 and square > 0.
+/// Returns the double nearest to top / sqrt(square), as `nearest` does. Requires numbers top > 0 and square > 0.
+///
+/// With q = top / sqrt(square) in double, the exact quotient x is q + (top^2 - q^2 square) / (square (x + q)).
 inline std::optional<double> nearest_over_root(const Double_double_ball& top, const Double_double_ball& square)
 {
-  const Double_double_ball top_square = top * top;
-  const auto left = [&](const Double_double_ball& x) { return top_square - x * x * square; };
-  double nearest = top.middle.high / std::sqrt(square.middle.high);
-  nearest += left(nearest).middle.high / (2 * nearest * square.middle.high);  // a step of Newton's
-  if (!(nearest > 0x1p-900 && nearest < 0x1p900)) return std::nullopt;
-  const auto bits = std::bit_cast<std::uint64_t>(nearest);
-  const double below = std::bit_cast<double>(bits - 1), above = std::bit_cast<double>(bits + 1);
-  const auto middle = [&](double neighbour) {
-    return Double_double_ball(Double_double(nearest, (neighbour - nearest) / 2), 0);
-  };
-  if (!left(middle(below)).is_positive() || !(-left(middle(above))).is_positive()) return std::nullopt;
-  return nearest;
+  using Ball = Double_double_ball;
+  const Ball first = top.middle.high / std::sqrt(square.middle.high), rest = top * top - first * first * square;
+  const double by = first.middle.high * square.middle.high, step = rest.middle.high / by / 2;
+  const double radius =
+      (rest.radius / by / 2 + Ball::step_rounding * std::abs(step)) * Ball::of_steps + Ball::underflow;
+  const bool is_near = std::abs(step) + radius < Ball::most_step * first.middle.high;
+  return is_near && square.is_divisor() ? Ball(Double_double::sum(first.middle.high, step), radius).nearest()
+                                        : std::nullopt;
 }
 
 }  // namespace tetracone::kernel

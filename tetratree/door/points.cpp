@@ -7,6 +7,7 @@
 #include "tetracone/tetratree/door/distance_solver.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/query/bvh8_points.h"
+#include "tetracone/tetratree/query/point_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,14 +65,27 @@ class Signed_distances {
       : data_(data), locator_(locator_of(data, "signed distances")), points_(data.bvh8())
   {}
 
-  Nearest_point operator()(const std::array<double, 3>& x) { return answer(x, points_.by_enclosures(x)); }
+  Nearest_point operator()(const std::array<double, 3>& x)
+  {
+    return answer(x, points_.by_enclosures(x), locator_.locate(x));
+  }
 
   std::vector<Nearest_point> of_each(std::span<const std::array<double, 3>> points)
   {
-    std::vector<Nearest_point> answers;
-    answers.reserve(points.size());
-    tetratree::Bvh8_points::by_enclosures_of_each(
-        data_.bvh8(), points, [&](std::size_t k, const auto& found) { answers.push_back(answer(points[k], found)); });
+    std::vector<Nearest_point> answers(points.size());
+    constexpr std::size_t at_once = 1 << 20;  // bounds the memory of copies
+    for (std::size_t first = 0; first < points.size(); first += at_once) {
+      const auto asked = points.subspan(first, kernel::minimum(at_once, points.size() - first));
+      const std::vector<std::uint32_t> order = tetratree::order_by_cells(asked);
+      std::vector<covering::Vertex> sorted;
+      sorted.reserve(asked.size());
+      for (const std::uint32_t k : order) sorted.push_back(asked[k]);
+      std::vector<Location> locations(asked.size());
+      locator_.locate(sorted, locations);
+      tetratree::Bvh8_points::by_enclosures_of_each(data_.bvh8(), sorted, [&](std::size_t k, const auto& found) {
+        answers[first + order[k]] = answer(sorted[k], found, locations[k]);
+      });
+    }
     return answers;
   }
 
@@ -93,10 +107,11 @@ class Signed_distances {
 
  private:
   /// Returns the answer for a point, by enclosures if they have decided it.
-  Nearest_point answer(const std::array<double, 3>& x, const std::optional<tetratree::Surface_point>& found)
+  Nearest_point answer(const std::array<double, 3>& x, const std::optional<tetratree::Surface_point>& found,
+                       Location location)
   {
     if (!found) return exactly(kernel::exact_point(x));
-    return {signed_by(locator_.locate(x), found->distance), found->point, holder(*found), found->is_only};
+    return {signed_by(location, found->distance), found->point, holder(*found), found->is_only};
   }
 
   static double signed_by(Location location, double distance)

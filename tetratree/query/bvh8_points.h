@@ -14,6 +14,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -107,9 +108,11 @@ class Bvh8_points {
   using Rational = kernel::Rational;
   using Rational_point = kernel::Rational_point;
 
+  /// A node whose boxes are known.
   struct Open {
-    float square;  // lower bound of the squared distance, in local units
     Index node;
+    unsigned left;                 // bits: its boxes that are not yet looked into
+    kernel::Lane_squares squares;  // lower bounds of the squared distances of its boxes, in local units
   };
   /// An element that may be the nearest.
   struct Candidate {
@@ -147,20 +150,29 @@ class Bvh8_points {
     candidates_.clear();
     high_ = std::numeric_limits<double>::infinity();
     limit_ = std::numeric_limits<float>::infinity();
-    open_.assign(1, {0, 0});
-    leaves_ = 0;
+    open_.clear();
+    next_ = 0;
   }
 
   /// Opens the nearest node. False if none is left; then the candidates are all that may be nearest.
   bool advance()
   {
-    compare_leaves();
+    open_node(next_);
     while (!open_.empty()) {
-      const Open top = open_.back();
-      open_.pop_back();
-      if (!(top.square <= limit_)) continue;
-      open_node(top.node);
-      return true;
+      Open& top = open_.back();
+      const int lane = nearest_lane(top);
+      if (lane < 0) {
+        open_.pop_back();
+        continue;
+      }
+      top.left &= ~(1u << lane);
+      const Box_id box(top.node, lane);
+      if (!tree_->is_leaf(box)) {
+        next_ = tree_->child(box);
+        tree_->prefetch(next_);
+        return true;
+      }
+      for (Index k = 0; k < tree_->leaf_count(box); ++k) compare(tree_->element(box, k));
     }
     std::erase_if(candidates_, [this](const Candidate& c) { return c.low > high_; });
     return false;
@@ -169,45 +181,22 @@ class Bvh8_points {
   void open_node(Index n)
   {
     const Bvh8_node& node = tree_->node(n);
-    node_ = n;
-    squares_ = {};
-    if (is_local_) kernel::point_squares(node.boxes, local_, squares_);
-    const std::size_t before = open_.size();
-    for (int lane = 0; lane < node.boxes.lane_count; ++lane) {
-      const float square = squares_[std::size_t(lane)];
-      if (!(square <= limit_)) continue;
-      const Box_id box(n, lane);
-      if (node.is_leaf(lane)) {
-        leaves_ |= 1u << lane;
-        __builtin_prefetch(&tree_->element(box));
-        continue;
-      }
-      open_.push_back({square, tree_->child(box)});
-      // The nearest is last, to be opened first.
-      for (std::size_t k = open_.size() - 1; k > before && open_[k - 1].square < open_[k].square; --k)
-        std::swap(open_[k - 1], open_[k]);
-    }
-    if (!open_.empty()) tree_->prefetch(open_.back().node);
-    for (unsigned left = leaves_; left != 0; left &= left - 1) {
-      const Element& element = tree_->element({n, std::countr_zero(left)});
-      if (element.is_whole_face()) continue;
-      for (const Index v : element.corner) __builtin_prefetch(&vertex(v));
-    }
+    open_.push_back({n, (1u << node.boxes.lane_count) - 1, {}});
+    if (is_local_) kernel::point_squares(node.boxes, local_, open_.back().squares);
   }
 
-  /// Compares the leaves of the node that was opened last, the nearest box first.
-  void compare_leaves()
+  /// Returns the nearest box that is left, or -1 if all that are left are beyond the limit. Boxes whose bounds differ
+  /// in the last bits have any order.
+  int nearest_lane(const Open& open) const
   {
-    while (leaves_ != 0) {
-      int nearest = std::countr_zero(leaves_);
-      for (unsigned left = leaves_ & (leaves_ - 1); left != 0; left &= left - 1)
-        if (const int lane = std::countr_zero(left); squares_[std::size_t(lane)] < squares_[std::size_t(nearest)])
-          nearest = lane;
-      leaves_ &= ~(1u << nearest);
-      if (!(squares_[std::size_t(nearest)] <= limit_)) continue;
-      const Box_id leaf(node_, nearest);
-      for (Index k = 0; k < tree_->leaf_count(leaf); ++k) compare(tree_->element(leaf, k));
+    std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+    for (std::uint32_t lane = 0; lane < kernel::lanes; ++lane) {
+      const float square = open.squares[lane];
+      const bool is_near = bool(open.left >> lane & 1) & (square <= limit_);
+      const std::uint32_t key = (std::bit_cast<std::uint32_t>(square) & ~7u) | lane;
+      least = kernel::minimum(least, key | (std::uint32_t(is_near) - 1));
     }
+    return least == std::numeric_limits<std::uint32_t>::max() ? -1 : int(least & 7);
   }
 
   /// Keeps an element that may be the nearest, and lowers the limits by it.
@@ -256,28 +245,27 @@ class Bvh8_points {
     if (!is_bounded_) return std::nullopt;
     const Candidate& best = *std::ranges::min_element(candidates_, {}, &Candidate::nearest);
     if (best.element->is_whole_face()) return std::nullopt;
-    const kernel::Pose rest;
-    kernel::Ball_hull point, feature;
+    kernel::Ball_hull feature;  // relative to the point
     std::array<Index, 3> ends{};
-    point.add(x_, rest);
     for (std::size_t k = 0; k < 3; ++k)
       if (best.corners >> k & 1) {
         ends[std::size_t(feature.count)] = best.element->corner[k];
-        feature.add(vertex(best.element->corner[k]), rest);
+        feature.add_difference(vertex(best.element->corner[k]), x_);
       }
-    const auto found = kernel::enclosed_distance(point, feature);
+    const auto found = kernel::enclosed_distance_of_origin(feature);
     if (!found) return std::nullopt;
     const auto held = holder(*best.element, feature.count, ends);
     if (!held || !are_others_behind(found->direction, ends, feature.count)) return std::nullopt;
     const auto distance = kernel::nearest_over_root(found->height, found->square);
     if (!distance) return std::nullopt;
     Surface_point nearest{*distance, {}, best.element->face, *held, {ends[0], ends[1]}, true};
+    const kernel::Double_double_ball share = found->height / found->square;
     for (std::size_t k = 0; k < 3; ++k) {
       const double first = vertex(ends[0])[k];
       bool is_flat = true;
       for (int i = 1; i < feature.count; ++i) is_flat = is_flat && vertex(ends[std::size_t(i)])[k] == first;
       const auto at = is_flat ? std::optional(first + 0.0)  // -0.0 is 0, as in rationals
-                              : kernel::nearest_along(x_[k], found->way[k], found->height, found->square);
+                              : (kernel::Double_double_ball(x_[k]) + found->way[k] * share).nearest();
       if (!at) return std::nullopt;
       nearest.point[k] = *at;
     }
@@ -391,9 +379,7 @@ class Bvh8_points {
   float limit_ = 0;
   bool is_bounded_ = false, is_local_ = false;
   std::vector<Open> open_;
-  Index node_ = 0;                  // the node that was opened last
-  unsigned leaves_ = 0;             // its leaves that are not yet compared
-  kernel::Lane_squares squares_{};  // of its boxes
+  Index next_ = 0;  // the node that will be opened
   std::vector<Candidate> candidates_;
 };
 

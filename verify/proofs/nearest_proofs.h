@@ -122,11 +122,36 @@ inline Proved_bounds nearest_proofs()
   // The low part is below u of the high one. A product with a number less than 1 is rounded.
   add("Double_double_ball::high_rounding", "kernel/number/double_double_ball.h", Ball::high_rounding, 1 - down / up,
       unit, 2.01);
+  // A divisor is its high part, up to its low part and its radius. The rest of a quotient has an error of its low part,
+  // which is u of its high part, and its radius. The second part, rest over divisor, is rounded.
+  const std::string of_ball = "kernel/number/double_double_ball.h";
+  const Rational of_divisor = u + Rational(Ball::most_radius);
+  const auto of_rest = [&](const Rational& of_quotient) { return Rational((u + of_quotient) / (1 - of_quotient)); };
+  add("Double_double_ball::quotient_rounding", of_ball, Ball::quotient_rounding, (of_rest(of_divisor) + u) / down, unit,
+      1.84);
+  // The radius over the divisor, a sum, and two products are rounded.
+  add("Double_double_ball::of_quotients, less 1", of_ball, Ball::of_quotients - 1,
+      1 / ((1 - of_divisor) * power(down, 4)) - 1, unit, 1.74);
+  // With x the root's quotient and q its first part, |x - q| is at most |rest| / (square q): twice what is compared
+  // with `most_step`. So x + q is 2 q, up to this share. Before the step is rounded, the divisor q square is.
+  const Rational of_both = (1 + of_divisor) * (1 + Rational(Ball::most_step) * power(up, 4) / (1 - of_divisor)) - 1;
+  add("Double_double_ball::step_rounding", of_ball, Ball::step_rounding, (of_rest(of_both) + 2 * u) / power(down, 3),
+      unit, 2);
+  add("Double_double_ball::of_steps, less 1", of_ball, Ball::of_steps - 1, 1 / ((1 - of_both) * power(down, 6)) - 1,
+      unit, 2);
   // The radii of an accepted direction are compared with two sums of magnitudes and a product. Their own sum has two
   // roundings. Each coordinate is rounded once.
   const std::string of_directions = "kernel/predicate/enclosed_distance.h";
   add("Enclosed_distance::direction_error", of_directions, Enclosed::direction_error,
       Rational(Enclosed::most_radii) / power(down, 6) + u / down, unit, 1.34);
+  // n . (p x q) over |n|_1 L^2, where coordinates have an error of 2 u L. Each of two products has the errors of both
+  // factors and a rounding. Their difference is at most 2 L^2 and is rounded. Then n has its error, and a product with
+  // n and two sums are rounded. The slack is rounded thrice.
+  const Rational coordinate = 1 + 2 * u, of_product = coordinate * coordinate * up - 1,
+                 of_cross = 2 * of_product + u * 2 * (1 + of_product);
+  add("Enclosed_distance::side_rounding", of_directions, Enclosed::side_rounding,
+      (of_cross + (Rational(Enclosed::direction_error) + 3 * u) * (2 + of_cross) * power(up, 3)) / power(down, 3), unit,
+      1.24);
   // n . (x - p) over |n|_1 has these errors. Both points are off: `slack` gives 4 of `position_error`. Their difference
   // is at most 2 `largest`. It has the direction's error, and one rounding each of the difference, a product and two
   // sums. The roundings of `slack` itself come last.

@@ -121,6 +121,8 @@ inline std::vector<Other_constant> other_constants()
       {"kernel/bound/obb8.h", "axis_defect", term, "of boxes' axes, which are checked when stored: axis_defect_factor"},
       {"kernel/bound/obb8_ray.h", "least_step", term, "Local_ray::slack"},
       {"kernel/predicate/enclosed_distance.h", "most_radii", term, "Enclosed_distance::direction_error"},
+      {"kernel/number/double_double_ball.h", "most_radius", term, "Double_double_ball::quotient_rounding"},
+      {"kernel/number/double_double_ball.h", "most_step", term, "Double_double_ball::step_rounding"},
       {"kernel/number/floating_point.h", "underflow_slack", tested, "verify/test/verify/proofs/bound_proofs.cpp"},
 
       {"kernel/predicate/vertex_separation.h", "rounding", by_hand,

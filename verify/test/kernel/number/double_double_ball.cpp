@@ -63,6 +63,36 @@ BOOST_AUTO_TEST_CASE(what_overflows_or_is_undefined_is_not_positive)
     BOOST_TEST(!x.is_positive());
 }
 
+BOOST_AUTO_TEST_CASE(a_quotient_of_balls_holds_the_quotients_of_their_numbers)
+{
+  Random random(3);
+  const auto number = [&](int k) {
+    return Double_double(real(random, 0.5, 1)) * Double_double(std::ldexp(real(random, 0.5, 1), k % 41 - 20));
+  };
+  int wrong = 0, wide = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const Double_double y = number(k / 41), positive = number(k),
+                        x = k % 2 == 0 ? positive : Double_double(-positive.high, -positive.low);
+    const double x_radius = k % 3 == 0 ? std::abs(x.high) * 0x1p-60 : 0, y_radius = k % 4 == 0 ? y.high * 0x1p-49 : 0;
+    const Ball found = Ball(x, x_radius) / Ball(y, y_radius);
+    for (const int side_x : {-1, 1})
+      for (const int side_y : {-1, 1}) {
+        const Rational quotient =
+            Rational(exact(x) + side_x * Rational(x_radius)) / Rational(exact(y) + side_y * Rational(y_radius));
+        wrong += abs(Rational(exact(found.middle) - quotient)) > Rational(found.radius);
+      }
+    wide += x_radius == 0 && y_radius == 0 && !(found.radius < std::abs(found.middle.high) * 0x1p-98);
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(wide == 0);
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const Ball& y : {Ball(0), Ball(-1), Ball({1, 0}, 0x1p-48), Ball({1, 0}, infinite), Ball(infinite)})
+    BOOST_TEST(!((Ball(1) / y).radius < infinite));
+  // Rationals beyond the last bit decide between a double and its neighbours.
+  BOOST_TEST(((Ball(1) / Ball(3)).nearest() == std::optional(1.0 / 3)));
+  BOOST_TEST(!(Ball({1, 0x1p-53}, 0) / Ball(1)).nearest().has_value());
+}
+
 BOOST_AUTO_TEST_CASE(the_nearest_double_to_a_quotient_is_told_unless_two_are_as_near)
 {
   Random random(2);

@@ -86,6 +86,31 @@ BOOST_AUTO_TEST_CASE(an_enclosed_distance_is_the_exact_one_rounded_once)
   BOOST_TEST(untold < told / 50);
 }
 
+BOOST_AUTO_TEST_CASE(a_point_beside_a_triangle_is_not_taken_as_over_it)
+{
+  Random random(2);
+  int told = 0, untold = 0, wrong = 0;
+  for (int k = 0; k < 6000; ++k) {
+    // The foot of the point is about 2^-40 to 2^-60 from a side, on either side of it.
+    const double size = k % 5 == 0 ? 0x1p-40 : 1;
+    const std::vector<Vertex> t = {real_vertex(random, size), real_vertex(random, size), real_vertex(random, size)};
+    const double along = real(random, 0.1, 0.9), inward = std::ldexp(real(random, -1, 1), -40 - k % 20);
+    const std::array<double, 3> e = difference(t[1], t[0]), f = difference(t[2], t[0]), n = cross(e, f);
+    const double height = real(random, 0.1, 1);
+    Vertex x;
+    for (std::size_t i = 0; i < 3; ++i) x[i] = t[0][i] + along * e[i] + inward * f[i] + height / size * n[i];
+    const Feature_pair pair({x}, Pose(), t, Pose());
+    const bool is_over = distance_of_hulls(pair.exact[0], pair.exact[1], Nearest_points::are_not_asked_for).has_value();
+    const bool is_told = enclosed_distance(pair.ball[0], pair.ball[1]).has_value();
+    told += is_told;
+    untold += is_over && !is_told;
+    wrong += is_told && !is_over;
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(told > 2000);
+  BOOST_TEST(untold < told / 50);
+}
+
 BOOST_AUTO_TEST_CASE(nothing_is_told_of_what_touches_or_is_beyond_the_gate)
 {
   const double infinite = std::numeric_limits<double>::infinity();

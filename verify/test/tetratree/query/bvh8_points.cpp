@@ -1,4 +1,5 @@
 #include "tetracone/tetratree/query/bvh8_points.h"
+#include "tetracone/tetratree/query/point_order.h"
 
 #include "tetracone/covering/star_faces.h"
 #include "verify/test/support/object_cases.h"
@@ -7,9 +8,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8_points)
@@ -147,6 +150,30 @@ BOOST_AUTO_TEST_CASE(random_points_about_a_mesh_are_decided_by_enclosures)
   }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(judge.by_enclosures > count * 9 / 10);
+}
+
+BOOST_AUTO_TEST_CASE(the_order_by_cells_has_every_point_once)
+{
+  scenes::Random random(4612);
+  for (const double size : {1.0, 0.0, 0x1p-1074, 0x1p-1010, 0x1.fffffffffffffp1023})
+    for (const std::size_t count : {1, 2, 3000}) {
+      std::vector<Vertex> points;
+      for (std::size_t k = 0; k < count; ++k) points.push_back(scenes::real_vertex(random, size));
+      points[0] = {-size, size, size};
+      points.back() = {size, size, -size};
+      const std::vector<std::uint32_t> order = order_by_cells(points);
+      std::vector<std::uint32_t> sorted = order;
+      std::ranges::sort(sorted);
+      std::size_t missed = sorted.size() != count;
+      for (std::size_t k = 0; k < count; ++k) missed += sorted[k] != k;
+      BOOST_TEST(missed == 0u);
+      if (count < 3000 || size != 1) continue;
+      // Neighbours in the order are nearer than random points are.
+      double gap = 0;
+      for (std::size_t k = 1; k < count; ++k)
+        for (std::size_t i = 0; i < 3; ++i) gap += std::abs(points[order[k]][i] - points[order[k - 1]][i]);
+      BOOST_TEST(gap < 0.5 * double(count));
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
