@@ -8,6 +8,7 @@
 #include "tetracone/covering/io/read_poly.h"
 #include "tetracone/covering/io/read_scan.h"
 #include "tetracone/covering/io/read_stl.h"
+#include "tetracone/kernel/number/floating_point.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -146,6 +147,7 @@ namespace {
 
 Read_model read_model(const std::filesystem::path& path, bool also_by_cgal)
 {
+  kernel::require_sound_floating_point();
   const std::string suffix = suffix_of(path);
   const std::string& file = path.native();
   const bool known = suffix == ".off" || suffix == ".obj" || suffix == ".ply" || suffix == ".stl" || suffix == ".poly";

@@ -217,6 +217,7 @@ def prove_exit(answer, bodies):
     prove_parted(answer, placed_at(answer, bodies, [first * x for x in along]))
     if first == 0:
         return need(last == 0, "solids that overlap nowhere have no exit but 0")
+    need([True, True] in points_in(prove_windings(answer, placed_at(answer, bodies))), "no point is known to be inside of both")
     gone = answer["gone"]
     need_keys(gone, "until directions cover windings")
     until = exact(gone["until"])
@@ -272,7 +273,7 @@ QUESTIONS = {"collide": (prove_collide, PLACED), "distance": (prove_distance, PL
              "inside": (prove_inside, "ask answer point face ray winding directions cover"),
              "ray": (prove_ray, "ask answer origin direction end directions cover"),
              "relation": (prove_relation, "ask answer pose_a pose_b witness plane way ways border windings directions cover"),
-             "exit": (prove_exit, "ask answer pose_a pose_b direction plane way gone before overlap"),
+             "exit": (prove_exit, "ask answer pose_a pose_b direction plane way windings gone before overlap"),
              "depth": (prove_depth, "ask answer pose_a pose_b vector plane way low"),
              "motion": (prove_motion, "ask answer question from_a to_a from_b to_b witness windings directions cover")}
 

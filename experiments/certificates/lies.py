@@ -12,7 +12,7 @@ import sys
 from fractions import Fraction
 
 from check import BAD, prove
-from reading import Refused
+from reading import Refused, given
 
 ANSWERS = {"collide": ["apart", "surfaces", "a_in_b", "b_in_a"], "within": [0, 1], "inside": [-1, 0, 1],
            "relation": ["disjoint", "meet", "overlap", "equal", "inside", "contains", "covered_by", "covers"]}
@@ -112,11 +112,25 @@ def false_claims(certificate):
         if answer["ask"] in ("distance", "motion", "ray", "exit", "depth"):
             for value in (other_exits if answer["ask"] == "exit" else other_claims)(answer["answer"]):
                 yield from with_changes(f"answer {k} is {value}", changed(certificate, ("answers", k, "answer"), value), k)
+        if answer["ask"] == "exit" and answer["answer"][1] != "0":
+            yield f"answer {k} begins where the solids are apart", begun_earlier(certificate, k)
         for donor in answers:
             if donor["ask"] == answer["ask"] and donor["answer"] != answer["answer"]:
                 row = {key: value for key, value in answer.items() if key not in PROOF}
                 row.update({key: value for key, value in donor.items() if key in (*PROOF, "answer")})
                 yield from with_changes(f"answer {k} with another's proof", changed(certificate, ("answers", k), row), k)
+
+
+def begun_earlier(certificate, k):
+    """Exits of A moved back so far that the solids are apart. The true ones are 0; all moves that the proof is about are the same."""
+    answer = dict(certificate["answers"][k])
+    answer.pop("overlap", None)
+    back = Fraction(2**40)
+    for row, x in enumerate(answer["direction"]):
+        moved = given(answer["pose_a"][4 * row + 3]) - back * given(x)
+        answer["pose_a"] = [*answer["pose_a"][:4 * row + 3], f"{moved.numerator}/{moved.denominator}", *answer["pose_a"][4 * row + 4:]]
+    answer["answer"] = [str(Fraction(x) + back) for x in answer["answer"]]
+    return changed(certificate, ("answers", k), answer)
 
 
 def other_claims(answer):

@@ -245,6 +245,13 @@ void run(const Options& options)
   Progress progress(moves ? "motions" : "frames", steps);
   std::exception_ptr failed;
   try {
+    // One frame has no motions. Its poses are read all the same, since they may be wrong.
+    if (moves && steps == 0 && file.frame_count() == 1) {
+      if (options.motion == "linear")
+        file.frame(0);
+      else
+        file.rigid_frame(0);
+    }
     for (std::size_t frame = 0; frame < steps; ++frame) {
       if (moves) {
         const std::vector<Motion> motions = motions_between(file, frame, options);

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace tetracone::experiments {
 namespace {
@@ -140,15 +141,18 @@ bool Command_process::send(const std::string& text, Deadline deadline)
 
 std::optional<std::string> Command_process::line(Deadline deadline)
 {
-  std::size_t end = received_.find('\n');
-  while (end == std::string::npos && received_.size() < longest_line) {
-    const std::size_t searched = received_.size();
-    if (!receive(deadline)) return std::nullopt;
-    end = received_.find('\n', searched);
+  for (;;) {
+    std::size_t end = received_.find('\n');
+    while (end == std::string::npos && received_.size() < longest_line) {
+      const std::size_t searched = received_.size();
+      if (!receive(deadline)) return std::nullopt;
+      end = received_.find('\n', searched);
+    }
+    std::string line = received_.substr(0, end);
+    received_.erase(0, end == std::string::npos ? end : end + 1);
+    if (!std::exchange(is_cut_, end == std::string::npos)) return line;
+    if (Clock::now() > deadline) return std::nullopt;  // it has no end
   }
-  std::string line = received_.substr(0, end);
-  received_.erase(0, end == std::string::npos ? end : end + 1);
-  return line;
 }
 
 std::optional<std::string> Command_process::bytes(std::size_t count, Deadline deadline)

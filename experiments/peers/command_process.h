@@ -33,7 +33,7 @@ class Command_process {
   bool send(const std::string& text, Deadline deadline);
 
   /// Returns the next line of its output, without its end; nothing when the child ends or the deadline passes first. A
-  /// line of more than 65,536 bytes may be returned in parts.
+  /// line of more than 65,536 bytes is cut there or a little later.
   std::optional<std::string> line(Deadline deadline);
 
   /// Returns the next bytes of its output; nothing as for `line`.
@@ -60,6 +60,7 @@ class Command_process {
   pid_t guard_ = -1;
   std::optional<int> status_;
   std::string received_;
+  bool is_cut_ = false;  // the last line was cut; its rest follows
   Error_tail errors_;
 };
 

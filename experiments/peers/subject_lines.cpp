@@ -275,6 +275,7 @@ std::optional<std::string> next_object(Command_process& process, Command_process
   for (;; ++skipped) {
     auto line = process.line(deadline);
     if (!line || line->starts_with('{')) return line;
+    if (std::chrono::steady_clock::now() > deadline) return std::nullopt;  // lines come without end
   }
 }
 
@@ -383,7 +384,7 @@ Reply read(const std::string& line, std::uint64_t ask, Kind kind)
 std::vector<Reply> read_batch(const std::string& line, std::uint64_t first, std::size_t count)
 {
   const auto json = nlohmann::json::parse(line, nullptr, false);
-  if (!json.is_object() || !json.contains("answers") || json["answers"].size() != count)
+  if (!json.is_object() || !json.contains("answers") || !json["answers"].is_array() || json["answers"].size() != count)
     return {{std::nullopt,
              "the line " + shown(line) + " does not answer the batch; expected {\"answers\": [" +
                  std::to_string(count) + " answers]}",

@@ -51,6 +51,10 @@ int main(int argc, char** argv)
   };
   const auto collide = [&](std::size_t a, std::size_t b, const subject::Ask& asked) -> std::optional<bool> {
     const int answer = ask(a, b, asked.pose_a.data(), asked.pose_b.data(), asked.question == "solid");
+    if (answer < -1 || answer > 1) {
+      std::cerr << "subject_ask returned " << answer << "; expected 1, 0 or -1\n";
+      std::exit(1);
+    }
     return answer < 0 ? std::nullopt : std::optional(answer != 0);
   };
   return subject::serve({{"name", name()}, {"version", name()}, {"questions", {"surface", "solid"}}}, prepare, collide);

@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_NUMBER_NUMBER_H
 
 #include "tetracone/kernel/number/error.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/vertex.h"
 
 #include <gmpxx.h>
@@ -181,9 +182,11 @@ inline double nearest_double(const Rational& value)
 }
 
 /// Returns the number that `text` stands for: the nearest double of a decimal, or a fraction "n/d" itself. Returns
-/// nothing when it is neither, or its nearest double is not finite.
+/// nothing when it is neither, or its nearest double is not finite. Throws Error where floating point is not sound, by
+/// which decimals would be read wrongly.
 inline std::optional<Rational> parse_number(std::string_view text)
 {
+  require_sound_floating_point();
   const auto decimal = parse_double(text);
   const auto number = decimal ? std::optional<Rational>(*decimal) : parse_fraction(text);
   return number && std::isfinite(nearest_double(*number)) ? number : std::nullopt;

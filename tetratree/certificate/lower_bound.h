@@ -104,6 +104,29 @@ inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::a
   return met && add_sides(text, pair, *met, {{true, true}});
 }
 
+/// Appends windings of points inside of both solids, at any poses of them.
+class Points_of_both {
+ public:
+  /// The bodies must outlive this object.
+  explicit Points_of_both(const Two_bodies& bodies) : bodies_(&bodies) {}
+
+  /// Same as `add_point_of_both`, with balls about inner points of both.
+  bool operator()(std::string& text, Placed_pair& pair)
+  {
+    if (inner_.empty()) inner_ = {(*bodies_)[0].balls(), (*bodies_)[1].balls()};
+    std::array<std::vector<Ball>, 2> balls;
+    for (std::size_t k = 0; k < 2; ++k) {
+      inner_[k].see(kernel::rows_of(pair.pose[k]));
+      balls[k] = inner_[k].seen();
+    }
+    return add_point_of_both(text, pair, balls);
+  }
+
+ private:
+  const Two_bodies* bodies_;
+  std::vector<Inner_balls> inner_;  // of both bodies, made where the first point is needed
+};
+
 /// Returns a few crossings of triangles just before an exit along a direction, in lengths of it. `at_start` are the
 /// bodies as they were given.
 inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start, const Two_bodies& bodies,
@@ -124,24 +147,18 @@ inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start
 /// Appends, as `overlap`, why the interiors share a point for all moves along a direction from 0 to before the first
 /// exit. False, without a change of the text, where a part of the way has no proof.
 inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_bodies& bodies,
-                          const kernel::Rational_point& along, const kernel::Rational& first)
+                          Points_of_both& add_point_of_both, const kernel::Rational_point& along,
+                          const kernel::Rational& first)
 {
   constexpr double shortest = 0x1p-16;  // of intervals: a part of the way that needs shorter ones has no proof
   const kernel::Direction_view view(along);
   Exit_search search(bodies[0].seen(), bodies[1].seen());
   const auto poses_at = [&](const kernel::Rational& s) { return moved(pair.pose, kernel::scaled(along, s)); };
   std::vector<std::string> rows;
-  std::vector<Inner_balls> inner;  // of both bodies, made where the first point is needed
   const auto add_point = [&](const kernel::Rational& s) {
     Placed_pair there = pair.at(poses_at(s));
-    std::array<std::vector<Ball>, 2> balls;
-    if (inner.empty()) inner = {bodies[0].balls(), bodies[1].balls()};
-    for (std::size_t k = 0; k < 2; ++k) {
-      inner[k].see(kernel::rows_of(there.pose[k]));
-      balls[k] = inner[k].seen();
-    }
     rows.push_back("{\"at\":" + json_text(kernel::to_string(s)));
-    if (!add_point_of_both(rows.back(), there, balls)) return false;
+    if (!add_point_of_both(rows.back(), there)) return false;
     rows.back() += '}';
     return true;
   };

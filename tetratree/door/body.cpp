@@ -31,6 +31,7 @@ void require_legal(const Polyhedron& polyhedron, const std::string& name)
     throw Error(name + ": " + wrong + "; expected " + expected);
   };
   if (polyhedron.face_count() == 0) fail("no face", "a body with faces");
+  if (!polyhedron.has_legal_loops()) fail("a face lacks a loop, or a loop lacks a vertex", "one vertex or more a loop");
   const auto vertices = [&] { return "of " + std::to_string(polyhedron.vertices.size()) + " vertices"; };
   for (std::size_t v = 0; v < polyhedron.vertices.size(); ++v)
     for (const double x : polyhedron.vertices[v])
@@ -79,6 +80,7 @@ std::vector<Face_triangle> with_fans(const Polyhedron& polyhedron, std::vector<F
 std::shared_ptr<const detail::Body_data> checked(Polyhedron polyhedron, std::vector<Face_triangle> triangles,
                                                  const std::string& name)
 {
+  kernel::require_sound_floating_point();
   triangles = detail::legal_triangles(polyhedron, std::move(triangles), name);
   return std::make_shared<const detail::Body_data>(std::move(polyhedron), std::move(triangles));
 }

@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/door/motion.h"
 
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/motion_solver.h"
 #include "tetracone/tetratree/door/query_data.h"
@@ -59,12 +60,14 @@ Motion::Motion(kernel::Body_motion motion) : exact_(std::make_shared<const kerne
 
 Motion Motion::linear(const Pose& from, const Pose& to)
 {
+  kernel::require_sound_floating_point();
   return Motion(kernel::Body_motion::linear(from.exact(), to.exact()));
 }
 
 Motion Motion::rigid(const std::array<double, 7>& from, const std::array<double, 7>& to)
 {
   std::array<std::array<Rational, 7>, 2> exact;
+  kernel::require_sound_floating_point();
   for (std::size_t k = 0; k < 7; ++k) {
     for (const double x : {from[k], to[k]})
       if (!std::isfinite(x)) number(kernel::shortest(x));  // refuses it

@@ -1,5 +1,6 @@
 #include "tetracone/kernel/number/pose.h"
 
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
@@ -24,6 +25,7 @@ const kernel::Pose& not_flat(const kernel::Pose& pose)
 
 kernel::Pose checked(const std::array<double, 12>& rows)
 {
+  kernel::require_sound_floating_point();
   for (std::size_t k = 0; k < 12; ++k)
     if (!std::isfinite(rows[k]))
       throw Error(entry(k) + " is " + kernel::shortest(rows[k]) + "; expected a finite number");

@@ -62,6 +62,7 @@ Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, te
 
 std::vector<Answer> Query::collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b)
 {
+  data();  // throws where this was moved from, though there may be no pose
   const std::size_t n = poses_a.size() == 1 ? poses_b.size() : poses_a.size();
   if ((poses_a.size() != n && poses_a.size() != 1) || (poses_b.size() != n && poses_b.size() != 1))
     throw Error("query: " + std::to_string(poses_a.size()) + " poses of a and " + std::to_string(poses_b.size()) +

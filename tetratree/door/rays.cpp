@@ -73,6 +73,7 @@ bool Body::is_hit(const Ray& ray, double end) const { return rays_of(*data_).any
 
 Crossing Body::crossing(const Ray& ray, Index face) const
 {
+  kernel::require_sound_floating_point();
   const kernel::Rational_point direction = kernel::exact_point(checked(ray).direction);
   const int sign = sgn(kernel::dot(detail::exact_normal(data_->polyhedron, face), direction));
   return sign < 0 ? Crossing::entering : sign > 0 ? Crossing::leaving : Crossing::along;
@@ -80,6 +81,7 @@ Crossing Body::crossing(const Ray& ray, Index face) const
 
 std::array<double, 3> Body::normal(Index face) const
 {
+  kernel::require_sound_floating_point();
   const kernel::Rational_point exact = detail::exact_normal(data_->polyhedron, face);
   const kernel::Rational square = kernel::dot(exact, exact);
   std::array<double, 3> normal{};

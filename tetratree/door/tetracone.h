@@ -97,8 +97,8 @@ class Pose {
 };
 
 /// A polyhedron that queries can be asked about. Immutable; copies share their data. Any number of threads may ask
-/// about it at once, also while its tree is still being made. A question throws Error when its thread's floating point
-/// is not as exact answers need it.
+/// about it at once, also while its tree is still being made. Construction and questions throw Error when their
+/// thread's floating point is not as exact answers need it.
 ///
 /// Open and closed surfaces, several shells, cavities, non-manifold and degenerate elements, and faces with holes are
 /// legal. An open surface has no solid.

@@ -376,6 +376,13 @@ class Exit_search {
         },
         [&] { return best; },
         [&](Seen_piece& a, Seen_piece& b) {
+          if (a.is_bounded && b.is_bounded) {
+            const CGAL::Protect_FPU_rounding<true> upward;
+            const auto about = enclosed(a, b);
+            if (about.is_empty() || (about.low() && about.low()->least > best) ||
+                (about.is_certain() && about.low()->most < least_at))
+              return;
+          }
           const auto range = exact_range(a, b);
           if (range.is_empty() || range.low()->most <= rise || (found && range.low()->most >= *found)) return;
           found = range.low()->most;

@@ -51,9 +51,9 @@ inline std::vector<Ball> largest_balls(std::vector<Ball> balls, std::size_t most
 /// affine map x -> M x + t.
 ///
 /// A ball about an inner point has the distance to the surface as its radius, which `Bvh8_points` bounds. M makes a
-/// vector of length r at least r s long, where s^2 is the least eigenvalue of M^T M. By Gershgorin's theorem that is no
-/// less than a diagonal entry, less the magnitudes of the others of its row. A centre's error shortens the radius. One
-/// object serves one thread.
+/// vector of length r at least r s long. With N the inverse of M, 1 / s^2 is the largest eigenvalue of N^T N. By
+/// Gershgorin's theorem that is no more than the largest sum of the magnitudes in a row. A centre's error shortens the
+/// radius. One object serves one thread.
 class Inner_balls {
  public:
   /// Finds the balls that stand for the solid, at points of a grid. Requires a closed surface, and the tree and the
@@ -87,25 +87,26 @@ class Inner_balls {
     const CGAL::Protect_FPU_rounding<true> upward;
     std::array<kernel::Interval, 12> m;
     for (std::size_t k = 0; k < 12; ++k) m[k] = CGAL::to_interval(map[k]);
-    double least = HUGE_VAL;  // a lower bound
+    // Each number of the inverse has an error of one rounding.
+    const kernel::Rational_map view{kernel::Pose(map)};
+    std::array<std::array<kernel::Interval, 3>, 3> n;
+    for (std::size_t i = 0; i < 3; ++i) {
+      shift_[i] = kernel::nearest_double(map[4 * i + 3]);
+      for (std::size_t j = 0; j < 3; ++j) {
+        n[i][j] = CGAL::to_interval(view.inverse_row(i)[j]);
+        inverse_[i][j] = kernel::nearest_double(view.inverse_row(i)[j]);
+      }
+    }
+    double most = 0;  // upper bound of 1 / s^2
     for (std::size_t i = 0; i < 3; ++i) {
       kernel::Interval row = 0;
-      for (std::size_t j = 0; j < 3; ++j) {
-        const kernel::Interval product = m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
-        row += i == j ? product : -CGAL::abs(product);
-      }
-      least = kernel::minimum(least, row.inf());
+      for (std::size_t j = 0; j < 3; ++j) row += CGAL::abs(n[0][i] * n[0][j] + n[1][i] * n[1][j] + n[2][i] * n[2][j]);
+      most = kernel::maximum(most, row.sup());
     }
     seen_.clear();
     scale_ = 0;
-    if (!(least >= 0x1p-400 && least <= 0x1p400)) return;
-    scale_ = CGAL::sqrt(kernel::Interval(least)).inf();
-    // Each number of the inverse has an error of one rounding.
-    const kernel::Rational_map view{kernel::Pose(map)};
-    for (std::size_t i = 0; i < 3; ++i) {
-      shift_[i] = kernel::nearest_double(map[4 * i + 3]);
-      for (std::size_t j = 0; j < 3; ++j) inverse_[i][j] = kernel::nearest_double(view.inverse_row(i)[j]);
-    }
+    if (!(most >= 0x1p-400 && most <= 0x1p400)) return;
+    scale_ = (kernel::Interval(1) / CGAL::sqrt(kernel::Interval(most))).inf();
     for (const Ball& ball : own_) {
       Ball image;
       double error = 0;

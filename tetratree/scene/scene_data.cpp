@@ -59,7 +59,9 @@ const std::vector<Scene_pair>& Scene_data::pairs()
   kernel::require_sound_floating_point();
   Near_pairs::Deadline deadline;
   const auto budget = bodies_.options.budget;
-  if (budget.count() > 0) deadline = std::chrono::steady_clock::now() + budget;
+  const auto now = std::chrono::steady_clock::now();
+  // A budget beyond the clock's end is none.
+  if (budget.count() > 0 && budget < std::chrono::steady_clock::time_point::max() - now) deadline = now + budget;
   const std::size_t nodes = models().nodes_made();
   statistics_ = {};
   const std::vector<Number> widened = bodies_.update_boxes();

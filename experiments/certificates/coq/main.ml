@@ -777,7 +777,7 @@ let prove_relation answer bodies =
   | _ -> bad "there is no such answer"
 
 let prove_exit answer bodies =
-  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"] ["plane"; "way"; "gone"; "before"; "overlap"];
+  keys answer ["ask"; "pose_a"; "pose_b"; "direction"; "answer"] ["plane"; "way"; "windings"; "gone"; "before"; "overlap"];
   need_solids bodies;
   let along = vector ~number:given (get answer "direction") in
   let first, last = match vector ~size:2 (get answer "answer") with [f; l] -> (f, l) | _ -> assert false in
@@ -785,6 +785,8 @@ let prove_exit answer bodies =
   let at s = poses_of answer (List.map (Q.mul s) along) in
   need_parted answer bodies (at first);
   if Q.sign first = 0 then need (Q.sign last = 0) "solids that overlap nowhere have no exit but 0" else begin
+    let start = places_at bodies (at Q.zero) in
+    need_parts (windings answer start) [(true, true)];
     let gone = get answer "gone" in
     keys gone ["until"; "directions"; "cover"; "windings"] [];
     let until = exact (get gone "until") in

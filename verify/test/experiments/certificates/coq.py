@@ -97,7 +97,8 @@ PAIRS = {"certificate": "tetracone 1", "bodies": [CUBE, CUBE], "answers": [
     of_pair("relation", "meet", at("1"), witness=TOUCH, plane=axis(0), windings=[side("a", IN_A), side("b", IN_A, -1), side("b", IN_B), side("a", IN_B, 1)]),
     of_pair("relation", "covers", at("0", scale="1/2"), **CORNER),
     of_pair("relation", "equal", at("0")),
-    {"ask": "exit", "pose_a": at("0"), "pose_b": at("0"), "direction": axis(0), "answer": ["1", "1"], "plane": axis(0, -1), "gone": GONE, "before": [BEFORE] * 2},
+    {"ask": "exit", "pose_a": at("0"), "pose_b": at("0"), "direction": axis(0), "answer": ["1", "1"], "plane": axis(0, -1), "gone": GONE, "before": [BEFORE] * 2,
+     "windings": [side("a", IN_A), side("b", IN_A)]},
     {"ask": "exit", "pose_a": at("0"), "pose_b": at("1"), "direction": axis(0), "answer": ["0", "0"], "plane": axis(0)},
     {"ask": "depth", "pose_a": at("0"), "pose_b": at("0"), "answer": "1", "vector": axis(0), "plane": axis(0, -1)},
     {"ask": "motion", "question": "solid", **MOVE, "from_b": at("5"), "to_b": at("3/2"), "answer": None, **APART},
@@ -165,6 +166,9 @@ def lies(certificate):
     for k, answer in enumerate(certificate["answers"]):
         proofs = [{key: value for key, value in other.items() if key not in GIVEN} for other in certificate["answers"] if other["ask"] == answer["ask"]]
         facts = {key: value for key, value in answer.items() if key in GIVEN}
+        if answer["ask"] == "exit" and answer["answer"] == ["1", "1"]:
+            # All that is proved holds, but the cubes are apart at the start: their exits are 0.
+            yield {**answer, "pose_a": at("-10"), "answer": ["11", "11"]}
         for wrong in TRUE_WRONG[answer["ask"]]:
             if wrong == answer["answer"] or answer["ask"] == "motion" and wrong == ["0", "1"] and answer["answer"]:
                 continue

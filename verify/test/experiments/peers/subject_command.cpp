@@ -73,6 +73,12 @@ for line in sys.stdin:
     elif mode == "endless":
         put({"ask": m["ask"], "answer": None})
         while True: print("again", file=sys.stderr)
+    elif mode == "flood":
+        while True: print("again" * 100)
+    elif mode == "long":
+        print("x" * 10**6, end="")
+        put({"ask": m["ask"], "answer": 1})
+        put({"ask": m["ask"], "answer": None})
     elif mode == "declines": put({"why": "no idea", "answer": None, "ask": m["ask"]})
     elif x == 2 or mode in ("held", "forgetful", "banner", "once"): put({"ask": m["ask"], "answer": None})
     elif mode == "column": put({"ask": m["ask"], "answer": int(all(-1 <= a - b <= 1 for a, b in zip(m["pose_b"][9:], m["pose_a"][9:])))})
@@ -247,6 +253,16 @@ BOOST_AUTO_TEST_CASE(the_check_says_what_is_wrong)
   wrong("forgetful", "a body forgotten, and its number used again: no line, and it ends with status 1");
   wrong("once", "ends with status 3");
   wrong("twice", "output behind the answer");
+}
+
+BOOST_AUTO_TEST_CASE(lines_without_end_are_silence_and_the_rest_of_a_long_line_is_no_answer)
+{
+  const auto running = started(command("flood"), 300ms);
+  BOOST_TEST(surface(running, 2) == Outcome::failed);
+  BOOST_TEST(running->failure().how == "silent");
+  const auto wordy = started(command("long"));
+  BOOST_TEST(surface(wordy, 2) == Outcome::not_asked);
+  BOOST_TEST(wordy->skipped_lines() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(lines_that_are_no_objects_are_skipped_and_counted)

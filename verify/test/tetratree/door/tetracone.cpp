@@ -1,5 +1,7 @@
 #include "tetracone/tetratree/door/tetracone.h"
 
+#include "tetracone/covering/io/write.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "verify/test/support/keep_environment.h"
@@ -11,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <sstream>
@@ -87,6 +90,17 @@ BOOST_AUTO_TEST_CASE(every_misuse_has_its_line)
   const std::string line = said([&] { tetracone::read_body(bent.path()); });
   BOOST_TEST(line.find("bent.off: face 0 has a corner ") != std::string::npos, line);
   BOOST_TEST(verify::not_refused<Error>([&] { query.collide(Pose(), Pose()); }) == 0);
+  is(said([&] { moved_from.collide(std::vector<Pose>(), std::vector<Pose>()); }),
+     "query: moved from; expected one that still has its bodies");
+  // Numbers would be read wrongly, too.
+  const verify::Temporary_file whole("whole.off", covering::write_off(scenes::unit_cube()));
+  const std::array<double, 12> rows = Pose().rows();
+  std::array<std::string, 12> texts;
+  for (std::size_t k = 0; k < 12; ++k) texts[k] = kernel::shortest(rows[k]);
+  BOOST_TEST(verify::not_refused<Error>([&] { tetracone::read_body(whole.path()); }) == 0);
+  BOOST_TEST(verify::not_refused<Error>([&] { Body(scenes::unit_cube()); }) == 0);
+  BOOST_TEST(verify::not_refused<Error>([&] { Pose{rows}; }) == 0);
+  BOOST_TEST(verify::not_refused<Error>([&] { Pose::from_text(texts); }) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(bodies_and_poses_may_be_temporaries_copies_and_moved_from)
@@ -241,6 +255,8 @@ BOOST_AUTO_TEST_CASE(rays_meet_an_open_or_closed_surface)
   BOOST_TEST(said([&] { box.first_hit(still); }) == "ray: the direction is 0; expected one of any other length");
   BOOST_TEST(said([&] { box.hits(lost); }) == "ray: number 5 of 6 is nan; expected a finite number");
   BOOST_TEST(verify::not_refused<Error>([&] { box.first_hit(through); }) == 0);
+  BOOST_TEST(verify::not_refused<Error>([&] { box.normal(0); }) == 0);
+  BOOST_TEST(verify::not_refused<Error>([&] { box.crossing(through, 0); }) == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
