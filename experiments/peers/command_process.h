@@ -21,8 +21,8 @@ class Command_process {
   enum class Errors { kept, shown };
 
   /// Starts the program at the path `words[0]` with these arguments; PATH is not searched.
-  /// Throws std::runtime_error when no process can be started. If there is no such program, the child ends with status
-  /// 127.
+  /// Requires one word at least. Throws std::runtime_error when no process can be started. If there is no such program,
+  /// the child ends with status 127.
   explicit Command_process(const std::vector<std::string>& words, Errors errors = Errors::kept);
   ~Command_process();
   Command_process(const Command_process&) = delete;
@@ -33,7 +33,7 @@ class Command_process {
   bool send(const std::string& text, Deadline deadline);
 
   /// Returns the next line of its output, without its end; nothing when the child ends or the deadline passes first. A
-  /// line of more than 65,536 bytes is cut there or a little later.
+  /// line is cut after 65,536 bytes or a little later; the next call skips its rest.
   std::optional<std::string> line(Deadline deadline);
 
   /// Returns the next bytes of its output; nothing as for `line`.

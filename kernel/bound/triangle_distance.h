@@ -179,7 +179,8 @@ inline bool is_surely_before(const Double_vector& x, const Double_vector& p, con
                              double position_error, double largest)
 {
   const double length = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
-  return length > 0x1p-400 && length < 0x1p400 &&
+  // Below these sizes, products underflow by more than the slack.
+  return length > 0x1p-400 && length < 0x1p400 && largest > 0x1p-500 &&
          dot(n, difference(x, p)) < -length * triangle_distance::slack(position_error, largest);
 }
 

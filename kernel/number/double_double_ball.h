@@ -30,16 +30,17 @@ struct Double_double_ball {
       product_rounding = 8 * u * u,                  ///< upper bound of a product's error, relative to its high part
       of_radii = 1 + 16 * u,                         ///< factor that covers the rounding of a computed radius
       underflow = 0x1p-1060;                         ///< upper bound of what underflow adds to a product's error
-  /// Upper bound of the relative error of the high part, and of its product with 1 - `high_rounding`
-  /// (verify/proofs/nearest_proofs.h).
+  /// Share by which `is_positive` lowers the high part. It covers the relative error of this part, u, and the rounding
+  /// of a product (verify/proofs/nearest_proofs.h).
   static constexpr double high_rounding = 4 * u;
   // Those below are for quotients by a number and by a root. They are derived in verify/proofs/nearest_proofs.h too.
-  static constexpr double most_radius = 0x1p-48,  ///< of an accepted divisor's radius, relative to its high part
-      quotient_rounding = 0x1p-47,  ///< upper bound of the error of a quotient's second part, relative to this part
-      of_quotients = 1 + 0x1p-47,   ///< factor that covers the rounding of a quotient's radius
-      most_step = 0x1p-42,          ///< of an accepted step from a root's first part, relative to this part
-      step_rounding = 0x1p-41,      ///< upper bound of the error of the step, relative to the step
-      of_steps = 1 + 0x1p-41;       ///< factor that covers the rounding of a step's radius
+  static constexpr double most_radius =
+                              0x1p-48,  ///< upper bound of an accepted divisor's radius, relative to its high part
+      quotient_rounding = 0x1p-47,      ///< upper bound of the error of a quotient's second part, relative to this part
+      of_quotients = 1 + 0x1p-47,       ///< factor that covers the rounding of a quotient's radius
+      most_step = 0x1p-42,      ///< upper bound of an accepted step from a root's first part, relative to this part
+      step_rounding = 0x1p-41,  ///< upper bound of the error of the step, relative to the step
+      of_steps = 1 + 0x1p-41;   ///< factor that covers the rounding of a step's radius
 
   /// Return the radius of a sum and of a product x y. They take the radii of both numbers and the result's magnitude;
   /// the product also takes both magnitudes.
@@ -88,8 +89,8 @@ struct Double_double_ball {
   /// True when the number is surely above 0, and known up to `most_radius`.
   bool is_divisor() const { return radius < most_radius * middle.high; }
 
-  /// Returns the double that is nearest to every number of the ball. Returns nothing if there is none, and outside
-  /// 2^-900 to 2^900.
+  /// Returns the double that is surely nearest to every number of the ball. Returns nothing where that is not shown,
+  /// and for magnitudes outside 2^-900 to 2^900.
   std::optional<double> nearest() const
   {
     const double size = std::abs(middle.high);

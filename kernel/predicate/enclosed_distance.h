@@ -51,7 +51,7 @@ struct Ball_hull {
 /// The distance height / sqrt(square), along a direction from A's feature to B's of |direction|^2 = square.
 struct Enclosed_distance {
   Double_double_ball height, square;
-  std::array<double, 3> direction;  ///< rounded: the errors of all coordinates sum to at most `direction_error` of it
+  std::array<double, 3> direction;  ///< the high parts of `way`, up to `direction_error` of the sum of their magnitudes
   Ball_vector way;                  ///< the direction, enclosed
 
   // Upper bounds relative to the sum of the direction's magnitudes.
@@ -85,8 +85,8 @@ inline std::optional<Ball_vector> way_across_edges(const Ball_vector& a, const B
   return cross(e, f);
 }
 
-/// True when 0 is surely over the interior of a triangle with this normal, by doubles. Requires a normal that is known
-/// up to `most_radii`.
+/// True when 0 is surely over the interior of a triangle with this normal, by doubles, provided that the normal is
+/// known up to `most_radii`. `distance_along` tests that.
 ///
 /// L is the largest coordinate of a corner, and n the normal. A corner's coordinate has an error of 2 u L: its low part
 /// and its radius. For a side from p to q, n . (p x q) then has an error of at most `side_rounding` |n|_1 L^2.
@@ -108,7 +108,8 @@ inline bool is_surely_over(const std::array<Ball_vector, 3>& t, const Ball_vecto
   return dot(n, cross(p[0], p[1])) > slack && dot(n, cross(p[1], p[2])) > slack && dot(n, cross(p[2], p[0])) > slack;
 }
 
-/// Returns the normal of a triangle; nothing unless 0 is surely over its interior.
+/// Returns the normal of a triangle; nothing unless 0 is surely over its interior, or the normal is not known up to
+/// `most_radii`.
 inline std::optional<Ball_vector> way_to_triangle(const std::array<Ball_vector, 3>& t)
 {
   const Ball_vector normal = normal_of(t);
@@ -118,7 +119,8 @@ inline std::optional<Ball_vector> way_to_triangle(const std::array<Ball_vector, 
   return normal;
 }
 
-/// Returns the distance along a way, which has either sign, to a point from 0. Returns nothing unless the point is
+/// Returns the distance of 0 from a plane or a point. `way` is the normal or the vector, of either sign, and `point` is
+/// on it. Returns nothing unless the point is
 /// surely apart from 0, and the direction is known up to `most_radii`.
 inline std::optional<Enclosed_distance> distance_along(Ball_vector way, const Ball_vector& point)
 {
@@ -136,7 +138,6 @@ inline std::optional<Enclosed_distance> distance_along(Ball_vector way, const Ba
     off += way[k].radius;
     magnitude += std::abs(found.direction[k]);
   }
-  // The high parts have a relative error of u each, and radii and magnitudes are rounded.
   if (!(off < Enclosed_distance::most_radii * magnitude)) return std::nullopt;
   found.way = way;
   return found;
@@ -154,9 +155,9 @@ inline std::optional<Enclosed_distance> enclosed_distance_of_origin(const Ball_h
   return way ? detail::distance_along(*way, a) : std::nullopt;
 }
 
-/// Returns the distance of two hulls that `distance_of_hulls` would take. Returns nothing unless the enclosures show
-/// that the nearest points of the affine hulls are apart and within both hulls. The direction must be known up to
-/// `most_radii`.
+/// Returns the distance that `distance_of_hulls` (face_distance.h) gives for exact corners. Returns nothing unless the
+/// enclosures show that the nearest points of the affine hulls are apart and within both hulls. The direction must be
+/// known up to `most_radii`.
 inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, const Ball_hull& b)
 {
   if (a.count == 1) return enclosed_distance_of_origin(b.from(a.corner[0]));

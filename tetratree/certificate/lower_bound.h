@@ -328,9 +328,9 @@ class Lower_bound {
   /// Returns the number of a ball among those that the boxes name.
   std::size_t number_of(const Ball_number& ball)
   {
-    const auto found = std::ranges::find(used_, ball);
-    if (found == used_.end()) used_.push_back(ball);
-    return std::size_t(std::ranges::find(used_, ball) - used_.begin());
+    const auto number = std::size_t(std::ranges::find(used_, ball) - used_.begin());
+    if (number == used_.size()) used_.push_back(ball);
+    return number;
   }
 
   /// Appends a ball: its centre is inside, and all faces are at least its radius away. False where that has no proof.

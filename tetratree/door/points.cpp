@@ -111,7 +111,7 @@ class Signed_distances {
                        Location location)
   {
     if (!found) return exactly(kernel::exact_point(x));
-    return {signed_by(location, found->distance), found->point, holder(*found), found->is_only};
+    return {signed_by(location, found->distance), found->point, holder(*found), true};
   }
 
   static double signed_by(Location location, double distance)

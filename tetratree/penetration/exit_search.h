@@ -59,7 +59,10 @@ class Exit_search {
     solid_[0].see(map_a);
     solid_[1].see(map_b);
     const std::optional<Rational> highest = largest_high(nullptr);
-    if (!highest) return {0, 0};  // a solid without volume has no inside
+    if (!highest) {  // a solid without volume has no inside
+      last_pair_ = {};
+      return {0, 0};
+    }
     const Rational& last = *highest;
     const double goal = start_of_last();
     if (goal < 0) return {last, last};
@@ -89,11 +92,11 @@ class Exit_search {
   struct Stretch {
     kernel::Rational from, to;
     std::optional<std::array<Index, 2>> faces;  ///< of A and of B; nothing where no faces are known to do so
-    bool starts_there;                          ///< the faces begin to do so at `from`; else they do so there, too
+    bool starts_there;  ///< true: the faces go through one another only above `from`; false: also at `from`
   };
 
-  /// Returns stretches from 0 to the first exit, of which each ends where the next one starts. Their faces are plain
-  /// triangles. Requires what the search requires, and the first exit that it returns.
+  /// Returns stretches that cover 0 to the first exit without gaps. Their faces are plain triangles. Requires what the
+  /// search requires, and the first exit that it returns. `normals` says nothing of use afterwards.
   std::vector<Stretch> stretches(const std::array<kernel::Rational, 12>& map_a,
                                  const std::array<kernel::Rational, 12>& map_b, const kernel::Rational& first)
   {
@@ -148,7 +151,8 @@ class Exit_search {
     return found;
   }
 
-  /// Returns the normals, in the view, of planes along which the solids part at the first exit of the last question.
+  /// Returns the normals, in the view, of planes along which the solids part at the first exit. Returns none if no pair
+  /// of faces was found there. Requires that the exits were asked for last.
   std::vector<kernel::Number_point<kernel::Rational>> normals()
   {
     if (!last_pair_[0]) return {};

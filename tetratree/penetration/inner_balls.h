@@ -52,8 +52,8 @@ inline std::vector<Ball> largest_balls(std::vector<Ball> balls, std::size_t most
 ///
 /// A ball about an inner point has the distance to the surface as its radius, which `Bvh8_points` bounds. M makes a
 /// vector of length r at least r s long. With N the inverse of M, 1 / s^2 is the largest eigenvalue of N^T N. By
-/// Gershgorin's theorem that is no more than the largest sum of the magnitudes in a row. A centre's error shortens the
-/// radius. One object serves one thread.
+/// Gershgorin's theorem that is no more than the largest sum of magnitudes in a row of N^T N. A centre's error shortens
+/// the radius. One object serves one thread.
 class Inner_balls {
  public:
   /// Finds the balls that stand for the solid, at points of a grid. Requires a closed surface, and the tree and the
@@ -124,9 +124,9 @@ class Inner_balls {
   /// Returns the balls that stand for the solid, in the view. There is none where the view has no bound.
   const std::vector<Ball>& seen() const { return seen_; }
 
-  /// Returns a lower bound of the radius of the largest ball inside the solid about a point, both in the view. It is
-  /// not above 0 where the point is not inside, or nothing is known. Then it is minus an estimate of the distance to
-  /// the surface.
+  /// Returns a lower bound of the radius of the largest ball inside the solid about a point, both in the view. A result
+  /// of 0 or less does not tell that the point is not inside. It is minus an estimate of the distance to the surface,
+  /// or 0 where nothing is known. Requires that `see` was called.
   double radius_about(const std::array<double, 3>& point)
   {
     covering::Vertex own;

@@ -23,14 +23,13 @@
 
 namespace tetracone::tetratree {
 
-/// The point of a surface nearest to another, in doubles.
+/// The only point of a surface nearest to another, in doubles.
 struct Surface_point {
   double distance;                ///< the double nearest to the distance
-  std::array<double, 3> point;    ///< the doubles nearest to one of the nearest points
+  std::array<double, 3> point;    ///< the doubles nearest to the nearest point
   Index face;                     ///< a face that holds it
   kernel::Feature feature;        ///< the smallest part of the face that holds it
   std::array<Index, 2> end = {};  ///< the vertex, or the ends of the edge
-  bool is_only;                   ///< it is the only nearest point
 };
 
 /// The point of a surface nearest to another, exactly.
@@ -60,7 +59,7 @@ class Bvh8_points {
   }
 
   /// Calls what(k, `by_enclosures` of point k) for each point, in order. Up to 16 points take turns, a node each, so
-  /// that memory accesses of some overlap with computations of others.
+  /// that memory accesses of some overlap with computations of others. Requires finite coordinates.
   template <class What>
   static void by_enclosures_of_each(const Bvh8& tree, std::span<const covering::Vertex> points, const What& what)
   {
@@ -78,8 +77,8 @@ class Bvh8_points {
     }
   }
 
-  /// Returns a lower bound of the distance, up to few roundings; 0 where coordinates are too large to bound. Requires
-  /// finite coordinates.
+  /// Returns a lower bound of the distance, or what exceeds one by few roundings (`kernel::few_roundings`); 0 where
+  /// coordinates are too large to bound. Requires finite coordinates.
   double lower_bound(const covering::Vertex& x)
   {
     search(x, 0);
@@ -123,7 +122,7 @@ class Bvh8_points {
 
   const covering::Vertex& vertex(Index v) const { return tree_->model().vertices()[v]; }
 
-  /// Returns a vertex relative to the point, in local units: two roundings.
+  /// Returns a vertex relative to the point, in local units. The difference is rounded; the unit is a power of two.
   kernel::Double_vector relative(Index v) const { return kernel::scaled(kernel::difference(vertex(v), x_), per_unit_); }
 
   /// Collects the elements that may be nearest to the point. Its coordinates have an error of at most `error`.
@@ -236,8 +235,11 @@ class Bvh8_points {
   }
 
   /// Upper bound of the error of a distance that is computed from the exact square about `x_`. Three coordinates may
-  /// have an error each.
-  double error_of(double length) const { return length * 4 * kernel::unit_roundoff<double> + 2 * error_; }
+  /// have an error each, and the length may underflow.
+  double error_of(double length) const
+  {
+    return length * 4 * kernel::unit_roundoff<double> + 2 * error_ + least_double * per_unit_;
+  }
 
   /// Returns the nearest point, if enclosures prove that it is on the feature of the nearest candidate and on no other.
   std::optional<Surface_point> settled() const
@@ -258,7 +260,7 @@ class Bvh8_points {
     if (!held || !are_others_behind(found->direction, ends, feature.count)) return std::nullopt;
     const auto distance = kernel::nearest_over_root(found->height, found->square);
     if (!distance) return std::nullopt;
-    Surface_point nearest{*distance, {}, best.element->face, *held, {ends[0], ends[1]}, true};
+    Surface_point nearest{*distance, {}, best.element->face, *held, {ends[0], ends[1]}};
     const kernel::Double_double_ball share = found->height / found->square;
     for (std::size_t k = 0; k < 3; ++k) {
       const double first = vertex(ends[0])[k];
@@ -308,8 +310,8 @@ class Bvh8_points {
   /// A square of a distance, and a point of this distance.
   using Squares = std::vector<std::pair<Rational, Rational_point>>;
 
-  /// Returns all points of a face that are nearest to x. The points of its plane are nearest within it, else points of
-  /// its edges are.
+  /// Returns all points of a face that are nearest to x. These are the foot of the perpendicular if the face holds it,
+  /// else points of its edges.
   Squares nearest_on(Index f, const Rational_point& x) const
   {
     const covering::Covering& covering = tree_->model().covering();
@@ -363,12 +365,13 @@ class Bvh8_points {
     return {nearest[0].first, nearest[0].second, first, nearest.size() == 1};
   }
 
-  /// Upper bound of the relative error of a coordinate of `relative`: a difference is rounded. It is counted by hand,
-  /// as are the next two (verify/proofs/other_constants.h).
+  /// Upper bound of the relative error of a coordinate of `relative`: twice its rounding. It is counted by hand, as are
+  /// the next two (verify/proofs/other_constants.h).
   static constexpr double relative_error = 2 * kernel::unit_roundoff<double>;
   /// Upper bound of what rounding a coordinate loses by underflow.
   static constexpr double least_double = 0x1p-1074;
-  /// Upper bound of the distance of a vertex from its box, whose local units are rounded, and of the error of `local_`.
+  /// Upper bound of the distance of a vertex from its box, whose local units are rounded. `point_squares` allows for
+  /// the error of `local_`, which is relative.
   static constexpr double box_error = 0x1p-50;
 
   const Bvh8* tree_;

@@ -36,7 +36,7 @@ Number row_of_gram(const std::vector<Number>& in)
 
 }  // namespace detail
 
-/// Returns their proofs. Throws std::runtime_error when Gappa does not prove one.
+/// Returns the proofs of these constants. Throws std::runtime_error when Gappa does not prove one.
 inline Proved_bounds nearest_proofs()
 {
   using Ball = kernel::Double_double_ball;
@@ -146,11 +146,11 @@ inline Proved_bounds nearest_proofs()
       Rational(Enclosed::most_radii) / power(down, 6) + u / down, unit, 1.34);
   // n . (p x q) over |n|_1 L^2, where coordinates have an error of 2 u L. Each of two products has the errors of both
   // factors and a rounding. Their difference is at most 2 L^2 and is rounded. Then n has its error, and a product with
-  // n and two sums are rounded. The slack is rounded thrice.
+  // n and two sums are rounded. The slack is rounded four times: two sums, a square, a product.
   const Rational coordinate = 1 + 2 * u, of_product = coordinate * coordinate * up - 1,
                  of_cross = 2 * of_product + u * 2 * (1 + of_product);
   add("Enclosed_distance::side_rounding", of_directions, Enclosed::side_rounding,
-      (of_cross + (Rational(Enclosed::direction_error) + 3 * u) * (2 + of_cross) * power(up, 3)) / power(down, 3), unit,
+      (of_cross + (Rational(Enclosed::direction_error) + 3 * u) * (2 + of_cross) * power(up, 3)) / power(down, 4), unit,
       1.24);
   // n . (x - p) over |n|_1 has these errors. Both points are off: `slack` gives 4 of `position_error`. Their difference
   // is at most 2 `largest`. It has the direction's error, and one rounding each of the difference, a product and two

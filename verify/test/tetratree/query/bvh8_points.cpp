@@ -45,7 +45,7 @@ class Judge {
     if (low < 0 || low * low > square) return false;
     if (const auto found = points_.by_enclosures(x)) {
       ++by_enclosures;
-      if (!found->is_only || nearest.size() != 1 || found->distance != kernel::nearest_root(square)) return false;
+      if (nearest.size() != 1 || found->distance != kernel::nearest_root(square)) return false;
       for (int k = 0; k < 3; ++k)
         if (found->point[std::size_t(k)] != kernel::nearest_double((*nearest.begin())[k])) return false;
       if (!is_held(*found, *nearest.begin())) return false;
@@ -150,6 +150,27 @@ BOOST_AUTO_TEST_CASE(random_points_about_a_mesh_are_decided_by_enclosures)
   }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(judge.by_enclosures > count * 9 / 10);
+}
+
+BOOST_AUTO_TEST_CASE(distances_whose_squares_underflow_are_compared_exactly)
+{
+  // A pentagram, which stays a whole face, just below 0; a corner of a tetrahedron is above it, and farther away.
+  for (const double corner : {0x1p-538, 0x1p-700, 0x1p-1000})
+    for (const double below : {corner / 128, corner, corner * 128}) {
+      Polyhedron body;
+      for (const double z : {-1.0, -below})
+        for (int k = 0; k < 5; ++k) body.vertices.push_back({std::cos(k * 0.8 * M_PI), std::sin(k * 0.8 * M_PI), z});
+      body.add_polygon({4, 3, 2, 1, 0});
+      body.add_polygon({5, 6, 7, 8, 9});
+      for (Index k = 0; k < 5; ++k) body.add_polygon({k, (k + 1) % 5, 5 + (k + 1) % 5, 5 + k});
+      const double size = corner * 256;
+      body.vertices.insert(body.vertices.end(), {{0, 0, corner}, {size, 0, size}, {0, size, size}, {-size, -size, 1}});
+      for (const auto& [a, b, c] : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+        body.add_polygon({10 + a, 10 + b, 10 + c});
+      Judge judge(body);
+      BOOST_TEST(judge.is_right(Vertex{0, 0, 0}));
+      BOOST_TEST(judge.is_right(Vertex{0, corner / 4, corner / 2}));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_order_by_cells_has_every_point_once)
