@@ -13,6 +13,7 @@ A function prove_X states in its text what it proves, and raises Refused where t
 of all kinds are made of, `depths.py` a lower bound of a depth."""
 import argparse
 import json
+import math
 import sys
 from fractions import Fraction
 
@@ -109,9 +110,9 @@ def prove_ray(answer, bodies):
         t, first = exact(hit["t"]), hit["face"]
         need(t >= 0 and (end is None or t <= end), "the hit is not on the ray")
         need(body.holds(first, [o[k] + t * d[k] for k in range(3)]), "the face does not hold the hit")
-    elif end is not None and end < 0:
-        return
-    prove_free(answer, body, o, d, t, lambda group: hit is not None and group.least_face >= first)
+    if hit is not None or end is None or end >= 0:
+        prove_free(answer, body, o, d, t, lambda group: hit is not None and group.least_face >= first)
+    return f", up to {answer['end']}" if end is not None else None
 
 
 def placed_at(answer, bodies, shift=None):
@@ -234,6 +235,7 @@ def prove_exit(answer, bodies):
     if "overlap" in answer:
         prove_before(answer["overlap"], lambda s: placed_at(answer, bodies, [s * x for x in along]), along, first)
         return ", and no move before the first is an exit"
+    return ", only that an exit begins at the first"
 
 
 def prove_depth(answer, bodies):
@@ -245,6 +247,7 @@ def prove_depth(answer, bodies):
         low = prove_low(answer["low"], placed_at(answer, bodies))
         need(low <= dot(v, v), "a shorter translation parts the solids")
         return f", and no less than {low}"
+    return ", an upper bound" if any(v) else None
 
 
 def prove_motion(answer, bodies):
@@ -252,6 +255,7 @@ def prove_motion(answer, bodies):
     start, solid = pair(answer, bodies, [pose_at(motion, Fraction(0)) for motion in motions])
     lo, hi = (Fraction(1), None) if answer["answer"] is None else vector(answer["answer"], given, 2)
     need_form(0 <= lo <= 1 and (hi is None or lo <= hi <= 1), "the times are not in order")
+    need(hi is None or hi == float(hi) <= math.nextafter(float(lo), 2) and lo == float(lo), "the times are not one double or neighbours")
     if "witness" in answer:
         time = exact(answer["witness"]["time"])
         need(hi is not None and lo <= time <= hi, "the witness is not of its time")
@@ -315,17 +319,17 @@ def main():
         sys.set_int_max_str_digits(0)  # numbers of any length are exact
     status = 0
     for text in sys.stdin.buffer if asked.certificate == "-" else [None]:
-        status, said = 0, "proved"
+        said, before = "proved", status
         try:
             for line in prove(text or read_bytes(asked.certificate), asked.models, [word.split("=", 1) for word in asked.given]):
                 print(line) if text is None else None
         except Refused as reason:
-            status, said = 1, f"refused: {reason}"
+            status, said = max(before, 1), f"refused: {reason}"
         except BAD as reason:
             status, said = 2, f"bad input: {' '.join(str(reason).split())}"
         if text is not None:
             print(said, flush=True)
-        elif status:
+        elif said != "proved":
             print(f"{asked.certificate}: {said}", file=sys.stderr)
     return status
 

@@ -24,6 +24,12 @@ def edges(loops):
     return [(loop[k - 1], loop[k]) for loop in loops for k in range(len(loop))]
 
 
+def area_vector(loop):
+    """Twice the area of a loop of points, times the normal about which it turns to the left."""
+    turns = [cross(loop[k - 1], loop[k]) for k in range(len(loop))]
+    return tuple(sum(turn[i] for turn in turns) for i in range(3))
+
+
 def normal_of(loops, at):
     """A normal of the plane of a face; None where its corners are on a line."""
     corners = [at[v] for loop in loops for v in loop]

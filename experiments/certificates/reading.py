@@ -4,6 +4,8 @@ import os
 import re
 from fractions import Fraction
 
+from geometry import area_vector, dot
+
 DECIMAL = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
 FRACTION = re.compile(r"[-+]?[0-9]+/0*[1-9][0-9]*")
 EXACT = re.compile(r"-?[0-9]+(/0*[1-9][0-9]*)?")
@@ -72,10 +74,11 @@ def need_keys(entry, known):
 
 
 def lines_of(data, path):
-    """The words of each line that has some; '#' begins a comment."""
-    text = data.decode("utf-8-sig", "replace").replace("\r\n", "\n").replace("\r", "\n")
+    """The words of each line that has some; '#' begins a comment. A lone CR ends a line where no line ends in LF."""
+    text = data.decode("utf-8-sig", "replace")
+    text = text if "\n" in text else text.replace("\r", "\n")
     need_form(text.strip(), f"{path} is empty")
-    return [words for line in text.split("\n") if (words := line.split("#")[0].split())]
+    return [words for line in text.split("\n") if (words := re.findall("[^ \t\r\v\f]+", line.split("#")[0]))]
 
 
 def count(word):
@@ -93,16 +96,20 @@ def read_off(lines):
     return [[given(x) for x in words[:3]] for words in lines[1:first]], faces
 
 
+GEOMETRY = ("v", "f", "fo", "q")  # statements of OBJ: a vertex; three ways to begin a face
+
+
 def read_obj(lines):
     vertices, faces, words = [], [], []
     for line in lines:
-        words += line
+        # A name may end in a backslash: a vertex or a face behind it is a statement of its own.
+        words = line if line[0] in GEOMETRY and words[:1] and words[0] not in GEOMETRY else words + line
         if words[-1].endswith("\\"):
             words[-1:] = [words[-1][:-1]] * (len(words[-1]) > 1)
             continue
         if words[:1] == ["v"]:
             vertices.append([given(x) for x in words[1:4]])
-        elif words[:1] == ["f"]:
+        elif words[:1] and words[0] in GEOMETRY:
             numbers = [word.split("/")[0] for word in words[1:]]
             faces.append([[len(vertices) - count(n[1:]) if n.startswith("-") else count(n) - 1 for n in numbers]])
         words = []
@@ -125,6 +132,9 @@ def read_poly(lines, nodes):
                 words += lines.pop(0)
             faces[-1].append([count(x) - first for x in words[1:]])
         del lines[:holes]
+        # The program turns such loops.
+        outer, *inner = [area_vector([vertices[v] for v in loop]) for loop in faces[-1]]
+        need(all(dot(outer, way) <= 0 for way in inner), "a hole runs the same way round as the face; expected the other way")
     return vertices, faces
 
 

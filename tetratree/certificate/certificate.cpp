@@ -9,6 +9,7 @@
 #include "tetracone/tetratree/door/query_data.h"
 #include "tetracone/tetratree/memory/pair_memory.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -247,6 +248,8 @@ std::string Certificate::Data::text_of(const Part& part) const
 std::string Certificate::text() const
 {
   std::string text = "{\"certificate\":\"tetracone 1\",\n\"bodies\":";
+  for (Data::Part& part : data_->parts)  // what is cut must be told, though no cover names its pieces
+    if (std::ranges::adjacent_find(part.source_face) != part.source_face.end()) part.tree();
   add_list(text, data_->parts, [&](const Data::Part& part) { return data_->text_of(part); });
   text += ",\n\"answers\":[\n";
   for (std::size_t k = 0; k < data_->answers.size(); ++k) {

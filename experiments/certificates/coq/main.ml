@@ -177,11 +177,12 @@ let read_bytes path =
 
 let words line =
   let line = match String.index_opt line '#' with Some k -> String.sub line 0 k | None -> line in
-  List.filter (( <> ) "") (String.split_on_char ' ' (String.map (fun c -> if c = '\t' || c = '\r' || c = ',' then ' ' else c) line))
+  List.filter (( <> ) "") (String.split_on_char ' ' (String.map (fun c -> if String.contains "\t\r\011\012" c then ' ' else c) line))
 
 let lines_of data =
   let data = if String.length data >= 3 && String.sub data 0 3 = "\xef\xbb\xbf" then String.sub data 3 (String.length data - 3) else data in
-  List.filter (( <> ) []) (List.map words (String.split_on_char '\n' data))
+  let ends = if String.contains data '\n' then '\n' else '\r' in  (* a lone CR ends a line where no line ends in LF *)
+  List.filter (( <> ) []) (List.map words (String.split_on_char ends data))
 
 let integer w = if is_digits w then (match int_of_string_opt w with Some n -> n | None -> bad "%s is too large" w) else bad "'%s' is not a count or an index" w
 let given_word w = given (String w)
@@ -203,15 +204,17 @@ let read_off lines =
 
 let read_obj lines =
   let vertices = ref [] and count = ref 0 and faces = ref [] and before = ref [] in
+  let is_geometry line = List.mem (List.hd line) ["v"; "f"; "fo"; "q"] in
   List.iter (fun line ->
-    let line = !before @ line in
+    (* A name may end in a backslash: a vertex or a face behind it is a statement of its own. *)
+    let line = if !before <> [] && is_geometry line && not (is_geometry !before) then line else !before @ line in
     before := [];
     let last = List.nth line (List.length line - 1) in
     if last.[String.length last - 1] = '\\' then
       before := List.filter (( <> ) "") (List.mapi (fun k w -> if k = List.length line - 1 then String.sub w 0 (String.length w - 1) else w) line)
     else match line with
       | "v" :: numbers -> vertices := List.map given_word (take 3 numbers) :: !vertices; incr count
-      | "f" :: corners ->
+      | ("f" | "fo" | "q") :: corners ->
           let corner w =
             let n = List.hd (String.split_on_char '/' w) in
             if n <> "" && n.[0] = '-' then !count - integer (unsigned n) else integer n - 1 in
@@ -219,7 +222,13 @@ let read_obj lines =
       | _ -> ()) lines;
   (List.rev !vertices, List.rev !faces)
 
-(* TetGen's facets of several polygons. *)
+let sum_of vectors = List.fold_left (List.map2 Q.add) [Q.zero; Q.zero; Q.zero] vectors
+let dot_of p q = List.fold_left Q.add Q.zero (List.map2 Q.mul p q)
+let cross_of at i j = match at.(i), at.(j) with
+  | [a; b; c], [x; y; z] -> let minor p s q r = Q.sub (Q.mul p s) (Q.mul q r) in [minor b z c y; minor c x a z; minor a y b x]
+  | _ -> bad "a vertex has not three numbers"
+
+(* TetGen's facets of several polygons; the first is the outer one. *)
 let read_poly lines node_lines =
   let lines = ref lines in
   let next from = match !from with l :: rest -> from := rest; l | [] -> bad "a file ends too early" in
@@ -238,6 +247,14 @@ let read_poly lines node_lines =
       List.map (fun w -> integer w - first) (take corners (List.tl !line))) in
     lines := drop holes !lines;
     loops) in
+  let at = Array.of_list vertices in
+  let area loop = sum_of (List.map2 (cross_of at) loop (drop 1 loop @ [List.hd loop])) in
+  List.iter (fun loops ->
+    if List.exists (List.exists (fun v -> v < 0 || v >= count)) loops || List.mem [] loops then bad "no such vertex";
+    (* The program turns such loops. *)
+    match List.map area loops with
+    | outer :: inner -> need (List.for_all (fun way -> Q.sign (dot_of outer way) <= 0) inner) "a hole runs the same way round as the face; expected the other way"
+    | [] -> bad "a facet has no polygon") faces;
   (vertices, faces)
 
 let read_model path =
@@ -262,7 +279,7 @@ type body = {
   loops : int list list array;  (* of each face *)
   of_face : int list array;  (* Core's faces of a file's face: several where it is not planar *)
   first_piece : int array;
-  turned : int;
+  shells : int array;  (* of each vertex, a vertex that names its shell; -1 for a vertex of no face *)
   is_closed : bool Lazy.t;
 }
 
@@ -273,8 +290,27 @@ let without_repeats loop =
   | first :: (_ :: _ as rest) when List.nth rest (List.length rest - 1) = first -> rest
   | short -> short
 
+(* Loops with a common vertex are of one shell. *)
+let shells_of count faces =
+  let name = Array.make count (-1) in
+  Array.iter (List.iter (List.iter (fun v -> name.(v) <- v))) faces;
+  let rec root v = if name.(v) = v then v else begin
+      name.(v) <- name.(name.(v));
+      root name.(v)
+    end in
+  Array.iter (List.iter (fun loop -> List.iter (fun v -> name.(root v) <- root (List.hd loop)) loop)) faces;
+  Array.init count (fun v -> if name.(v) < 0 then -1 else root v)
+
+(* Each directed edge occurs as often as its reverse. *)
+let is_balanced faces =
+  let uses = Hashtbl.create 1000 in
+  let use a b by = Hashtbl.replace uses (a, b) (by + Option.value ~default:0 (Hashtbl.find_opt uses (a, b))) in
+  Array.iter (List.iter (fun loop ->
+    List.iter2 (fun a b -> if a < b then use a b 1 else if b < a then use b a (-1)) loop (drop 1 loop @ [List.hd loop]))) faces;
+  Hashtbl.fold (fun _ surplus ok -> ok && surplus = 0) uses true
+
 let read_body entry path =
-  keys entry [] ["file"; "sha256"; "vertices"; "faces"; "turned"; "cut"; "groups"];
+  keys entry [] ["file"; "sha256"; "vertices"; "faces"; "cut"; "groups"];
   let vertices, faces =
     if has entry "vertices" then begin
       need_form (not (has entry "file" || has entry "sha256")) "a body stands in the certificate and names a file, too";
@@ -292,11 +328,7 @@ let read_body entry path =
   need_form (Array.length loops > 0) "a body has no face";
   let check v = if v < 0 || v >= count then bad "no such vertex" in
   Array.iter (fun f -> if f = [] || List.mem [] f then bad "a face has no corner"; List.iter (List.iter check) f) loops;
-  let turned = if has entry "turned" then List.map (fun t -> match rows t with
-      | [f; l] -> let f = index (Array.length loops) "face" f in (f, index (List.length loops.(f)) "loop" l)
-      | _ -> bad "a turned loop has not two numbers") (rows (get entry "turned")) else [] in
-  need_form (List.length (List.sort_uniq compare turned) = List.length turned) "a loop is turned twice";
-  List.iter (fun (f, l) -> loops.(f) <- List.mapi (fun k loop -> if k = l then List.rev loop else loop) loops.(f)) turned;
+  let shells = shells_of count loops and is_balanced = lazy (is_balanced loops) in
   Array.iteri (fun f face -> loops.(f) <- List.map without_repeats face) loops;
   let unit = unit_of (List.concat vertices) in
   let corners = Array.of_list (List.map (grid_of unit) vertices) in
@@ -342,7 +374,7 @@ let read_body entry path =
   let groups = if has entry "groups" then group (get entry "groups") else Core.Many [Core.Many (List.init (Array.length pieces) one)] in  (* no node of a cover opens it *)
   let core = { Core.cut_faces = List.rev !core_faces; unit0 = unit; groups } in
   need (Core.check_body core) "a cut is not legal, or a piece is in no group or in two";
-  { core; corners; loops; of_face; first_piece; turned = List.length turned; is_closed = lazy (Core.is_closed core) }
+  { core; corners; loops; of_face; first_piece; shells; is_closed = lazy (Lazy.force is_balanced && Core.is_closed core) }
 
 let need_closed body = need (Lazy.force body.is_closed) "a body is not closed, and has no solid"
 
@@ -459,7 +491,8 @@ let witness entry places optional =
 
 (* Windings: those of vertices, by the body that has the vertex, and all as (point, body, number). *)
 
-type winding = { of_vertex : (int * Core.corner_ray) option; point : Core.grid * Z.t; holder : int; number : int }
+type winding = { of_vertex : (int * int * Core.corner_ray) option;  (* the body, the shell *)
+                 point : Core.grid * Z.t; holder : int; number : int }
 
 let read_winding places entry =
   keys entry ["in"; "ray"; "winding"; "directions"; "cover"] ["vertex"; "point"];
@@ -467,10 +500,13 @@ let read_winding places entry =
   let holder = match get entry "in" with String "a" -> 0 | String "b" -> 1 | _ -> bad "a winding number is in no body" in
   let other = places.(1 - holder) in
   if has entry "vertex" then begin
-    let corner = other.body.corners.(index (Array.length other.body.corners) "vertex" (get entry "vertex")) in
+    let vertex = index (Array.length other.body.corners) "vertex" (get entry "vertex") in
+    let shell = other.body.shells.(vertex) in
+    need (shell >= 0) "a vertex is of no face";
+    let corner = other.body.corners.(vertex) in
     let up = Core.unit_at other.m other.body.core and p = Core.zplace other.m other.body.core.unit0 corner in
     let number, ray, proof = need_winding entry places.(holder) up p in
-    { of_vertex = Some (1 - holder, { Core.corner; ray; proof }); point = (p, up); holder; number }
+    { of_vertex = Some (1 - holder, shell, { Core.corner; ray; proof }); point = (p, up); holder; number }
   end else begin
     let point = vector (get entry "point") in
     let up = unit_of point in
@@ -499,10 +535,12 @@ let links body rays =
   List.rev !steps
 
 let need_each_shell found places k inside =
-  let rays = List.filter_map (fun w -> match w.of_vertex with
-    | Some (body, ray) when body = k && (w.number <> 0) = inside -> Some ray
+  let known = List.filter_map (fun w -> match w.of_vertex with
+    | Some (body, shell, ray) when body = k && (w.number <> 0) = inside -> Some (shell, ray)
     | _ -> None) found in
-  need (Core.shells_at_place inside (Lazy.force places.(k).all) (Lazy.force places.(1 - k).all) rays (links places.(k).body rays))
+  let rays = List.map snd known and shells = List.map fst known in
+  let is_known = Array.for_all (fun shell -> shell < 0 || List.mem shell shells) places.(k).body.shells in
+  need (is_known && Core.shells_at_place inside (Lazy.force places.(k).all) (Lazy.force places.(1 - k).all) rays (links places.(k).body rays))
     (if inside then "a shell has no vertex that is known to be inside" else "a shell has no vertex that is known to be outside")
 
 let some_vertex_inside found = List.exists (fun w -> w.of_vertex <> None && w.number <> 0) found
@@ -555,7 +593,7 @@ let prove_collide answer bodies =
       keys answer (("windings" :: pair) @ cover_keys) [];
       need_gap answer places;
       let held = if said = "a_in_b" then 0 else 1 in
-      need (List.exists (fun w -> match w.of_vertex with Some (k, _) -> k = held && w.number <> 0 | None -> false) (windings answer places))
+      need (List.exists (fun w -> match w.of_vertex with Some (k, _, _) -> k = held && w.number <> 0 | None -> false) (windings answer places))
         "no shell is known to be inside"
   | _ -> bad "there is no such answer"
 
@@ -818,6 +856,8 @@ let prove_motion answer bodies =
     | Null -> (Q.one, None)
     | times -> (match vector ~number:given ~size:2 times with [lo; hi] -> (lo, Some hi) | _ -> assert false) in
   need_form (Q.sign lo >= 0 && Q.leq lo Q.one && (match hi with Some h -> Q.leq lo h && Q.leq h Q.one | None -> true)) "the times are not in order";
+  let is_double x = Q.equal x (Q.of_float (Q.to_float x)) in
+  need (match hi with Some h -> is_double lo && is_double h && Q.to_float h <= Float.succ (Q.to_float lo) | None -> true) "the times are not one double or neighbours";
   (match hi with
    | None -> need_form (not (has answer "witness")) "a witness of no contact"
    | Some hi when has answer "witness" ->
@@ -841,7 +881,8 @@ let need_given answers row_numbers asked key path =
   let size = List.length (rows (said (List.hd answers))) in
   let rec chunks = function [] -> [] | l -> take 16 l :: chunks (drop 16 l) in
   let is_matrix chunk = List.for_all2 Q.equal (drop 12 chunk) [Q.zero; Q.zero; Q.zero; Q.one] in
-  let numbers = List.map given_word (List.concat (lines_of (read_bytes path))) in
+  let split word = List.filter (( <> ) "") (String.split_on_char ',' word) in
+  let numbers = List.map given_word (List.concat_map split (List.concat (lines_of (read_bytes path)))) in
   let is_square = size = 12 && List.mem (List.length numbers / 16) [1; asked] && List.length numbers mod 16 = 0 && List.for_all is_matrix (chunks numbers) in
   let numbers = if is_square then List.concat_map (take 12) (chunks numbers) else numbers in  (* matrices of four rows *)
   let count = List.length numbers in
@@ -888,8 +929,12 @@ let prove text_of models givens print =
     let ask = text (get answer "ask") in
     let answer = match answer with Object items when not is_each -> Object (List.filter (fun (key, _) -> key <> "row") items) | _ -> answer in
     (match List.assoc_opt ask kinds with Some proof -> proof answer bodies | None -> bad "an answer is to no question");
-    let turned = Array.fold_left (fun s b -> if b.turned = 0 then s else Printf.sprintf "%s, with %d loops turned" s b.turned) "" bodies in
-    print (Printf.sprintf "%d %s %s %s proved%s" row ask (if has answer "question" then text (get answer "question") else "-") (show (get answer "answer")) turned))
+    let limits = match ask with
+      | "exit" when rows (get answer "answer") <> [String "0"; String "0"] -> ", only that an exit begins at the first"
+      | "depth" when get answer "answer" <> String "0" -> ", an upper bound"
+      | "ray" when has answer "end" -> ", up to " ^ text (get answer "end")
+      | _ -> "" in
+    print (Printf.sprintf "%d %s %s %s proved%s" row ask (if has answer "question" then text (get answer "question") else "-") (show (get answer "answer")) limits))
     numbers answers
 
 (* The status and what is said of it. *)

@@ -224,7 +224,7 @@ class Proved_checker(unittest.TestCase):
             self.assertEqual((status, error), (0, ""))
             self.assertEqual(len(lines), len(certificate["answers"]))
             for line in lines:
-                self.assertRegex(line, " proved$")
+                self.assertRegex(line, " proved(, an upper bound|, only that .*|, up to .*)?$")
 
     def test_no_lie_is_believed(self):
         count = 0
@@ -236,6 +236,29 @@ class Proved_checker(unittest.TestCase):
             for lie, line in zip(told, lines):
                 self.assertRegex(line, "^(refused|bad input): ", lie)
         self.assertGreater(count, 5000)
+
+    def test_shells_are_joined_by_loops_and_vertices_not_by_faces_and_places(self):
+        # A second cube of A shares a face of two loops with the first one. So nothing is said of the second one's shell.
+        far = [["9", *v[1:]] if v[0] == "0" else ["10", *v[1:]] for v in CUBE["vertices"]]
+        loops = [face[0] for face in CUBE["faces"]]
+        second = [[[v + 8 for v in loop]] for loop in loops[:-1]]
+        joined = {"vertices": CUBE["vertices"] + far, "faces": CUBE["faces"][:-1] + second + [[loops[-1], [v + 8 for v in loops[-1]]]],
+                  "cut": [[10, *t] for loop in (loops[-1], [v + 8 for v in loops[-1]]) for t in ([loop[0], loop[1], loop[2]], [loop[0], loop[2], loop[3]])],
+                  "groups": list(range(14))}
+        loose = {"vertices": CUBE["vertices"] + [["9.5", "0.5", "0.5"]], "faces": CUBE["faces"], "groups": CUBE["groups"]}
+        apart = {"ask": "collide", "question": "solid", "pose_a": at("0"), "pose_b": at("20"), "answer": "apart", "directions": [axis(0)], "cover": 0, "windings": [outside("b", 0, 0, -1), outside("a", 7, 0, 1)]}
+        # B is about a vertex of no face.
+        held = {"ask": "collide", "question": "solid", "pose_a": at("0"), "pose_b": at("8.5", "-1", "-1", "4"), "answer": "a_in_b", "directions": [axis(0)], "cover": 0,
+                "windings": [{"in": "b", "vertex": 8, "winding": 1, "ray": axis(0, -1), "directions": [axis(0)], "cover": 0}]}
+        for body, answer, reason in ((joined, apart, "a shell has no vertex"), (loose, held, "of no face")):
+            status, _, error = self.check(self.file({"certificate": "tetracone 1", "bodies": [body, CUBE], "answers": [answer]}))
+            self.assertEqual(status, 1)
+            self.assertRegex(error, reason)
+        # Faces that share places, but no vertex, bound nothing.
+        soup = {"vertices": [CUBE["vertices"][v] for loop in loops for v in loop], "faces": [[[4 * f + k for k in range(4)]] for f in range(6)], "groups": CUBE["groups"]}
+        status, _, error = self.check(self.file({**CUBE_ALONE, "bodies": [soup], "answers": CUBE_ALONE["answers"][:1]}))
+        self.assertEqual(status, 1)
+        self.assertRegex(error, "not closed")
 
     def test_bodies_that_are_spoiled_are_refused(self):
         short, twice, open_body = copy.deepcopy(CUBE), copy.deepcopy(CUBE), copy.deepcopy(CUBE)
