@@ -319,12 +319,12 @@ def main():
         sys.set_int_max_str_digits(0)  # numbers of any length are exact
     status = 0
     for text in sys.stdin.buffer if asked.certificate == "-" else [None]:
-        said, before = "proved", status
+        said = "proved"
         try:
             for line in prove(text or read_bytes(asked.certificate), asked.models, [word.split("=", 1) for word in asked.given]):
                 print(line) if text is None else None
         except Refused as reason:
-            status, said = max(before, 1), f"refused: {reason}"
+            status, said = max(status, 1), f"refused: {reason}"
         except BAD as reason:
             status, said = 2, f"bad input: {' '.join(str(reason).split())}"
         if text is not None:

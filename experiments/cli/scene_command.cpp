@@ -246,7 +246,7 @@ void run(const Options& options)
   std::exception_ptr failed;
   try {
     // One frame has no motions. Its poses are read all the same, since they may be wrong.
-    if (moves && steps == 0 && file.frame_count() == 1) {
+    if (moves && file.frame_count() == 1) {
       if (options.motion == "linear")
         file.frame(0);
       else

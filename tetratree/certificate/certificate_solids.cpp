@@ -112,8 +112,8 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
 
   Placed_pair start = first.at({pose_a, pose_b});
   const tetratree::Two_bodies bodies = data_->triangles();
-  tetratree::Points_of_both add_point_of_both(bodies);
-  if (!add_point_of_both(text, start)) return data_->leave_out();
+  tetratree::Points_of_both points_of_both(bodies);
+  if (!points_of_both(text, start)) return data_->leave_out();
   // Beyond `until`, a plane across the direction is between the bodies.
   const Placed_pair last = first.at(shifted(exit[1]));
   const kernel::Exact_vector across = tetratree::exact(tetratree::in_lowest_terms(along), 1);
@@ -135,7 +135,7 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
       return data_->leave_out();
   }
   tetratree::add_list(text, before, [](const std::string& row) { return row; });
-  add_stretches(text, start, bodies, add_point_of_both, along, exit[0]);
+  add_stretches(text, start, bodies, points_of_both, along, exit[0]);
   data_->keep(std::move(text));
   return true;
 }

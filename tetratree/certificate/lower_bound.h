@@ -147,7 +147,7 @@ inline std::vector<Crossing_before> crossings_before(const Placed_pair& at_start
 /// Appends, as `overlap`, why the interiors share a point for all moves along a direction from 0 to before the first
 /// exit. False, without a change of the text, where a part of the way has no proof.
 inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_bodies& bodies,
-                          Points_of_both& add_point_of_both, const kernel::Rational_point& along,
+                          Points_of_both& points_of_both, const kernel::Rational_point& along,
                           const kernel::Rational& first)
 {
   constexpr double shortest = 0x1p-16;  // of intervals: a part of the way that needs shorter ones has no proof
@@ -158,7 +158,7 @@ inline bool add_stretches(std::string& text, const Placed_pair& pair, const Two_
   const auto add_point = [&](const kernel::Rational& s) {
     Placed_pair there = pair.at(poses_at(s));
     rows.push_back("{\"at\":" + json_text(kernel::to_string(s)));
-    if (!add_point_of_both(rows.back(), there)) return false;
+    if (!points_of_both(rows.back(), there)) return false;
     rows.back() += '}';
     return true;
   };

@@ -58,11 +58,9 @@ class Exit_search {
   {
     solid_[0].see(map_a);
     solid_[1].see(map_b);
+    last_pair_ = {};
     const std::optional<Rational> highest = largest_high(nullptr);
-    if (!highest) {  // a solid without volume has no inside
-      last_pair_ = {};
-      return {0, 0};
-    }
+    if (!highest) return {0, 0};  // a solid without volume has no inside
     const Rational& last = *highest;
     const double goal = start_of_last();
     if (goal < 0) return {last, last};
