@@ -51,9 +51,6 @@ inline Nearest_place nearest_place(const Double_triangle& t)
 
 }  // namespace detail
 
-/// Upper bound of what a length loses where squares underflow: the root of three times 2^-1075.
-inline constexpr double length_underflow = 0x1p-536;
-
 /// Returns bounds of the distance of 0 and a triangle. Its coordinates are at most `largest` and have an error of at
 /// most `error`, which includes the error of the point. A NaN gives low = 0, and a high that is NaN.
 ///
@@ -65,7 +62,7 @@ inline Point_gap point_gap(const Double_triangle& t, double error, double larges
   const auto place = detail::nearest_place(t);
   const Double_vector nearest = td::point_in_triangle(t, place.s, place.r);
   const double length = std::sqrt(dot(nearest, nearest)), slack = td::slack(error + 4 * td::u * largest, largest);
-  Point_gap gap{0, td::above(length, slack) + length_underflow, length, place.corners};
+  Point_gap gap{0, td::above(length, slack), length, place.corners};
   // Below that, products of the direction underflow.
   if (length > 0x1p-400) gap.low = td::below(td::least_along(nearest, t), length, slack);
   return gap;

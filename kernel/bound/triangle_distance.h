@@ -55,6 +55,10 @@ constexpr double u = unit_roundoff<double>;
 /// one more product. These are 4 u and terms of second order (verify/proofs/distance_proofs.h).
 inline constexpr double length_rounding = 8 * u;
 
+/// Upper bound of what a length loses where squares underflow: the root of three times 2^-1075. It is counted by hand
+/// (verify/proofs/other_constants.h).
+inline constexpr double length_underflow = 0x1p-536;
+
 /// Upper bound of the error of a point in a triangle, or of a product with a direction, relative to the largest
 /// coordinate R (verify/proofs/distance_proofs.h).
 inline constexpr double point_rounding = 16 * u;
@@ -83,7 +87,10 @@ inline double below(double gap, double length, double slack)
   return low > 0 ? low : 0;
 }
 /// Returns an upper bound of a distance of points, by the distance as computed.
-inline double above(double distance, double slack) { return distance * (1 + length_rounding) + slack; }
+inline double above(double distance, double slack)
+{
+  return distance * (1 + length_rounding) + slack + length_underflow;
+}
 
 /// Two points, p of A and q of B, and the corners that span the features that hold them, as bits.
 struct Nearest {

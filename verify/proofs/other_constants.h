@@ -149,7 +149,7 @@ inline std::vector<Other_constant> other_constants()
       {"tetratree/query/bvh8_motion.h", "0x1p-40f", by_hand,
        "a share of a window's end near 0, where a float has no relative error of 2^-24"},
       {"tetratree/query/bvh8_distance.h", "0x1p-100f", by_hand, "what a limit in float loses by underflow: 2^-150"},
-      {"kernel/bound/point_triangle.h", "length_underflow", by_hand,
+      {"kernel/bound/triangle_distance.h", "length_underflow", by_hand,
        "3 2^-1075 is below 2^-1073, and its root below 2^-536"},
       {"tetratree/query/bvh8_points.h", "0x1p-100f", by_hand, "what a limit in float loses by underflow: 2^-150"},
       {"tetratree/query/bvh8_points.h", "relative_error", by_hand, "a difference of doubles: one rounding of two"},
