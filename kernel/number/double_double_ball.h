@@ -82,8 +82,8 @@ struct Double_double_ball {
     const double by = y.middle.high, first = x.middle.high / by;
     const Double_double_ball rest = x - y * first;
     const double second = rest.middle.high / by;
-    const double radius = (rest.radius / by + quotient_rounding * std::abs(second)) * of_quotients + underflow;
-    return {Double_double::sum(first, second), y.is_divisor() ? radius : HUGE_VAL};
+    const double bound = (rest.radius / by + quotient_rounding * std::abs(second)) * of_quotients + underflow;
+    return {Double_double::sum(first, second), y.is_divisor() ? bound : HUGE_VAL};
   }
 
   /// True when the number is surely above 0, and known up to `most_radius`.
