@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <set>
 #include <span>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,11 +25,16 @@ class Group_tree {
   Group_tree(const Bvh8& tree, std::span<const Index> source_face) : tree_(&tree), source_face_(source_face)
   {
     tree.make_all();
+    // Faces ascend as their source faces do, so their numbers decide. Each face's few elements are sorted apart.
+    std::vector<Index> first(tree.model().face_count() + 1, 0);
+    for (std::size_t e = 0; e < tree.element_count(); ++e) ++first[element(Index(e)).face + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
     order_.resize(tree.element_count());
-    for (std::size_t e = 0; e < order_.size(); ++e) order_[e] = Index(e);
-    std::ranges::stable_sort(order_, {}, [&](Index e) {
-      return std::tuple(source_face[element(e).face], element(e).face, element(e).corner);
-    });
+    std::vector<Index> next = first;
+    for (std::size_t e = 0; e < order_.size(); ++e) order_[next[element(Index(e)).face]++] = Index(e);
+    for (std::size_t f = 0; f + 1 < first.size(); ++f)
+      std::ranges::sort(order_.begin() + first[f], order_.begin() + first[f + 1], {},
+                        [&](Index e) { return std::pair(element(e).corner, e); });
     number_.resize(order_.size());
     for (std::size_t n = 0; n < order_.size(); ++n) number_[order_[n]] = Index(n);
   }
@@ -52,15 +57,16 @@ class Group_tree {
     const auto found = groups_.find(box);
     if (found != groups_.end()) return found->second;
     Group group{{}, ~Index(0)};
-    const auto of_element = [&](const Element& e) {
-      tree_->for_vertices(e, [&](Index v) { group.corners.push_back(v); });
+    last_group_of_.resize(tree_->model().vertices().size(), 0);
+    const auto number = Index(groups_.size() + 1);
+    const bool has_each_once = !is_piece(box);
+    for_each_element(box, [&](Index n) {
+      const Element& e = element(n);
+      tree_->for_vertices(e, [&](Index v) {
+        if (!has_each_once || std::exchange(last_group_of_[v], number) != number) group.corners.push_back(v);
+      });
       group.least_face = kernel::minimum(group.least_face, source_face_[e.face]);
-    };
-    for_each_element(box, [&](Index e) { of_element(element(e)); });
-    if (!is_piece(box)) {
-      std::ranges::sort(group.corners);
-      group.corners.erase(std::unique(group.corners.begin(), group.corners.end()), group.corners.end());
-    }
+    });
     return groups_.emplace(box, std::move(group)).first->second;
   }
 
@@ -146,6 +152,7 @@ class Group_tree {
   std::span<const Index> source_face_;
   std::vector<Index> order_, number_;  // the element of each piece, and the piece of each element
   std::map<Box_id, Group> groups_;
+  std::vector<Index> last_group_of_;  // of each vertex, from 1: the group that took it last
   std::set<Box_id> opened_;
 };
 

@@ -53,23 +53,44 @@ class Certificate {
 
   /// Asks the query, and adds its answer. Where surfaces meet, the proof is the pair of faces at which the query ended.
   /// Requires a query about the certificate's bodies. Throws as `Query::collide`.
+  Answer collide(Query& query, const Pose& a, const Pose& b) { return collide(query, a.exact(), b.exact()); }
+  /// Same, for poses of the templates. Requires det M != 0.
   Answer collide(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b);
   /// Asks the query for the nearest points, and adds the distance. Requires and throws as above.
+  Nearest distance(Query& query, const Pose& a, const Pose& b) { return distance(query, a.exact(), b.exact()); }
+  /// Same, for poses of the templates. Requires det M != 0.
   Nearest distance(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b);
   /// Asks the query whether the distance is at most `limit`, and adds the answer. Requires and throws as above.
+  bool within(Query& query, const Pose& a, const Pose& b, const std::string& limit)
+  {
+    return within(query, a.exact(), b.exact(), limit);
+  }
+  /// Same, for poses of the templates. Requires det M != 0.
   bool within(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
   /// Asks the query for the relation of the solids, and adds it where it is proved. Requires and throws as above.
+  Solid_contact relation(Query& query, const Pose& a, const Pose& b) { return relation(query, a.exact(), b.exact()); }
+  /// Same, for poses of the templates. Requires det M != 0.
   Solid_contact relation(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b);
   /// Asks the query for the exits, and adds them where they are proved. Requires and throws as above.
+  Exits exits(Query& query, const Pose& a, const Pose& b, const std::array<std::string, 3>& direction)
+  {
+    return exits(query, a.exact(), b.exact(), direction);
+  }
+  /// Same, for poses of the templates. Requires det M != 0.
   Exits exits(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
               const std::array<std::string, 3>& direction);
   /// Asks the query for the depth, and adds its bounds where they are proved. Requires and throws as above.
+  Depth depth(Query& query, const Pose& a, const Pose& b, const Depth_options& options = {})
+  {
+    return depth(query, a.exact(), b.exact(), options);
+  }
+  /// Same, for poses of the templates. Requires det M != 0.
   Depth depth(Query& query, const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options = {});
 
   /// Returns how many answers had no proof and were left out.
   std::size_t without_proof() const;
 
-  /// Adds an answer of `Query::collide`.
+  /// Adds an answer of `Query::collide`. This and the next few are for poses of the templates (`Pose::exact`).
   void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer);
   /// Adds the distance by an answer of `Query::nearest`.
   void distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const Nearest& nearest);
