@@ -136,16 +136,20 @@ class Group_tree {
 
   const Element& element(Index e) const { return tree_->elements()[e]; }
 
-  /// Calls what(e) for the number of each element below the box.
+  /// Calls what(e) for the number of each element below the box. They are neighbours in the order of leaves: the last
+  /// one is below the lane that begins last, at each node.
   template <class What>
   void for_each_element(Box_id box, const What& what) const
   {
-    if (tree_->is_leaf(box)) {
-      what(tree_->node_of(box).first[box.lane()]);
-      return;
+    Box_id last = box;
+    while (!is_piece(last)) {
+      const Index child = tree_->child(last);
+      const Bvh8_node& node = tree_->node(child);
+      last = {child, int(std::max_element(node.first.begin(), node.first.begin() + node.boxes.lane_count) -
+                         node.first.begin())};
     }
-    const Index child = tree_->child(box);
-    for (int lane = 0; lane < tree_->node(child).boxes.lane_count; ++lane) for_each_element({child, lane}, what);
+    const auto first_of = [&](Box_id id) { return tree_->node_of(id).first[id.lane()]; };
+    for (Index e = first_of(box); e <= first_of(last); ++e) what(e);
   }
 
   const Bvh8* tree_;

@@ -294,9 +294,9 @@ py::dict depth(Locked_query& self, const py::object& poses_b, double relative, s
 }
 
 py::object certificate(Locked_query& self, const py::object& poses_b, const std::string& ask, const py::object& limit,
-                       const py::object& direction, const py::object& poses_a)
+                       const py::object& direction, double relative, std::size_t budget, const py::object& poses_a)
 {
-  using Add = std::function<void(Certificate&, Query&, const kernel::Pose&, const kernel::Pose&)>;
+  using Add = std::function<void(Certificate&, Query&, const Pose&, const Pose&)>;
   Add add;
   if (ask == "collide")
     add = [](Certificate& proofs, Query& query, const auto& a, const auto& b) { proofs.collide(query, a, b); };
@@ -313,13 +313,14 @@ py::object certificate(Locked_query& self, const py::object& poses_b, const std:
       proofs.exits(query, a, b, along);
     };
   else if (ask == "depth")
-    add = [](Certificate& proofs, Query& query, const auto& a, const auto& b) { proofs.depth(query, a, b); };
+    add = [=](Certificate& proofs, Query& query, const auto& a, const auto& b) {
+      proofs.depth(query, a, b, {relative, budget});
+    };
   else
     throw Error("certificate: ask '" + ask + "'; expected collide, distance, within, relation, exits or depth");
   const Pose_pairs poses(poses_b, poses_a);
   Certificate proofs(self.query);
-  ask_all(self, poses,
-          [&](std::size_t, Query& query, const Pose& a, const Pose& b) { add(proofs, query, a.exact(), b.exact()); });
+  ask_all(self, poses, [&](std::size_t, Query& query, const Pose& a, const Pose& b) { add(proofs, query, a, b); });
   return py::module_::import("json").attr("loads")(proofs.text());
 }
 
@@ -686,15 +687,17 @@ array([[nan, nan]])
 The old name of `first_contact`, kept for one version.
 )")
       .def("certificate", &certificate, poses_b, py::kw_only(), py::arg("ask") = "collide",
-           py::arg("limit") = py::none(), py::arg("direction") = py::none(), poses_a,
-           R"(certificate(poses_b, *, ask="collide", limit=None, direction=None, poses_a=None)
+           py::arg("limit") = py::none(), py::arg("direction") = py::none(), py::arg("relative") = 1e-9,
+           py::arg("budget") = 100000, poses_a,
+           R"(certificate(poses_b, *, ask="collide", limit=None, direction=None, relative=1e-9, budget=100000,
+            poses_a=None)
 
 Answers with their proofs: a dict that experiments/certificates/check.py, a program without any code of this package,
 proves when it is written as JSON. The bodies stand in it.
 
 ask: "collide", "distance", "within" (with `limit`), "relation" (the eight of `solid_relation`), "exits" (with
-`direction`) or "depth" (its bounds). Answers of the last three that have no proof are left out. Other arguments
-and errors as of the method of that name; "relation" is `solid_relation`.
+`direction`) or "depth" (its bounds, with `relative` and `budget`). Answers of the last three that have no proof are
+left out. Other arguments and errors as of the method of that name; "relation" is `solid_relation`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])

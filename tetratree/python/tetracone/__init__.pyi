@@ -104,6 +104,8 @@ class Query:
         ask: Literal["collide", "distance", "within", "relation", "exits", "depth"] = "collide",
         limit: object = None,
         direction: Any = None,
+        relative: float = 1e-9,
+        budget: int = 100000,
         poses_a: Union[Numbers, None] = None,
     ) -> dict[str, Any]: ...
     def features(self, poses_b: Union[Numbers, None], *, poses_a: Union[Numbers, None] = None) -> Union[list[npt.NDArray[Any]], npt.NDArray[Any]]: ...

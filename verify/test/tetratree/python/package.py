@@ -247,7 +247,7 @@ class Answers(Case):
 
     def test_certificates_are_proved_by_the_checker(self):
         query, poses = Query(Body(*CUBE), Body(*TETRAHEDRON)), random_poses(12, 3)
-        asked = {"collide": {}, "distance": {}, "within": {"limit": Fraction(1, 3)}, "relation": {}, "exits": {"direction": [1, 0, "1/3"]}, "depth": {}}
+        asked = {"collide": {}, "distance": {}, "within": {"limit": Fraction(1, 3)}, "relation": {}, "exits": {"direction": [1, 0, "1/3"]}, "depth": {"budget": 100}}
         for ask, more in asked.items():
             proofs = query.certificate(poses, ask=ask, **more)
             run = subprocess.run(["/usr/bin/python3", "-B", CHECKER, "-"], input=json.dumps(proofs) + "\n", capture_output=True, text=True)
@@ -258,6 +258,7 @@ class Answers(Case):
         self.assertEqual(said, query.collide(poses).tolist())
         self.assertEqual(query.certificate(None, poses_a=poses[0])["answers"][0]["pose_b"], ["1", "0", "0", "0"] + ["0", "1", "0", "0"] + ["0", "0", "1", "0"])
         self.error("certificate: ask 'volume'; expected collide, distance, within, relation, exits or depth", query.certificate, poses, ask="volume")
+        self.error("depth: a relative width of 2; expected a number from 0 to below 1", query.certificate, poses, ask="depth", relative=2)
 
     def test_poses_of_both_bodies_go_by_keyword(self):
         cube = Body(*CUBE)
