@@ -99,7 +99,7 @@ struct Shell {
   /// edges. A face with h hole loops counts 1 - h.
   std::ptrdiff_t euler = 0;
   std::optional<std::size_t> genus;        ///< of a 2-manifold without border
-  std::optional<kernel::Rational> volume;  ///< signed, of a closed shell
+  std::optional<kernel::Rational> volume;  ///< `volume` of a closed shell
   Orientation orientation = Orientation::open;
 };
 
@@ -127,7 +127,7 @@ struct Check {
 
   std::vector<Shell> shells;                    ///< in the order of their first faces
   Orientation orientation = Orientation::open;  ///< of all shells; `mixed` where they differ
-  std::optional<kernel::Rational> volume;       ///< signed, exact; of a closed polyhedron
+  std::optional<kernel::Rational> volume;       ///< `volume`, of a closed polyhedron
 
   std::vector<Off_plane> off_plane;                    ///< faces that are not exactly planar
   std::vector<Index> degenerate_faces;                 ///< faces with all corners on one line or in one point: area 0
@@ -228,7 +228,7 @@ inline Orientation common_orientation(const std::vector<Shell>& shells)
 }  // namespace detail
 
 /// Returns all properties of a polyhedron that a user should know before collision queries, exactly. Requires only that
-/// corners name existing vertices.
+/// corners name existing vertices. In volumes, a face that is not planar is the fan of the covering from its W.
 inline Check check(const Polyhedron& polyhedron)
 {
   Check result;

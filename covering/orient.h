@@ -95,9 +95,10 @@ struct Oriented {
 
 /// Returns the polyhedron oriented. `turned` says which faces to turn so that edges cancel in each of `edge_groups`.
 /// - A group that is closed as it stands is left alone: inward, it may be a cavity.
-/// - A group that becomes closed is turned outward: its volume is not negative.
+/// - A group that becomes closed is turned outward: volume_of(group) is not negative.
 /// - Any other group is turned as a whole where that leaves fewer of its faces changed.
-inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool> turned)
+template <class Volume_of>
+Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool> turned, const Volume_of& volume_of)
 {
   const std::vector<bool> as_it_stands(polyhedron.face_count());
   for (const auto& faces : edge_groups(polyhedron)) {
@@ -110,7 +111,7 @@ inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool
     }
     const Polyhedron group = part(polyhedron, faces, turned);
     if (is_closed(group)) {
-      if (sgn(volume(group)) < 0) turn_all();
+      if (sgn(volume_of(group)) < 0) turn_all();
     } else {
       const auto changes = std::ranges::count_if(faces, [&](Index f) { return turned[f]; });
       if (2 * changes > std::ssize(faces)) turn_all();
@@ -126,10 +127,10 @@ inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool
 }
 
 /// Returns the polyhedron with faces turned to agree across their edges, edges of holes included. `apply_orientation`
-/// says what becomes of each group.
+/// says what becomes of each group, by `volume`.
 inline Oriented orient_across_edges(const Polyhedron& polyhedron)
 {
-  return apply_orientation(polyhedron, turns_across_edges(polyhedron));
+  return apply_orientation(polyhedron, turns_across_edges(polyhedron), volume);
 }
 
 }  // namespace tetracone::covering

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tetracone::covering {
@@ -79,8 +80,35 @@ inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& cou
   return result;
 }
 
-/// Reads the nodes and the facets into `model`. It checks the hole points of the volume and drops them, with a note.
-/// The regions, last in the file, are not read. Throws Input_error.
+/// Reads a list of points behind the facets: their count alone on a line, then a line each, "index x y z". The indices
+/// ascend from 0 or 1. A line has at most `most_words` words. Returns the count, 0 at the end of the file. Throws
+/// Input_error, as for facets that the file does not count.
+inline std::size_t scan_poly_points(Text_lines& lines, const char* what, std::size_t most_words)
+{
+  if (!lines.next()) return 0;
+  if (lines.words().size() != 1)
+    lines.fail(std::to_string(lines.words().size()) + " words behind the last facet that is counted",
+               std::string("expected the count of ") + what + "s alone, or the end of the file");
+  const std::size_t points = lines.count_ahead(lines.words()[0], std::string("count of ") + what + "s", 8);
+  std::uint64_t first = 0;
+  for (std::size_t k = 0; k < points; ++k) {
+    lines.need_next(what, k + 1, points);
+    const std::uint64_t index = lines.count(0, std::string("index of a ") + what);
+    if (k == 0) first = index;
+    if (first > 1 || index != first + k)
+      lines.fail(std::string(what) + " " + in_quotes(lines.words()[0]),
+                 k == 0 ? "expected 0 or 1" : "expected " + std::to_string(first + k));
+    lines.point(1);
+    if (lines.words().size() > most_words)
+      lines.fail(std::string("a ") + what + " of " + std::to_string(lines.words().size()) + " numbers",
+                 "expected at most " + std::to_string(most_words));
+    for (std::size_t word = 4; word < lines.words().size(); ++word) lines.number(word, "attribute of a region");
+  }
+  return points;
+}
+
+/// Reads the facets into `model`, and what is behind them. It checks the hole points and regions of the volume and
+/// drops them, with a note. Throws Input_error.
 inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_model& model)
 {
   Polyhedron& polyhedron = model.polyhedron;
@@ -114,8 +142,9 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
         const std::uint64_t index = lines.count(word, "node of a polygon");
         if (index < nodes.first || index - nodes.first >= nodes.vertices.size())
           lines.fail("node " + std::to_string(index) + " with " + std::to_string(nodes.vertices.size()) + " nodes",
-                     "expected an index from " + std::to_string(nodes.first) + " to " +
-                         std::to_string(nodes.first + nodes.vertices.size() - 1));
+                     nodes.vertices.empty() ? "expected nodes"
+                                            : "expected an index from " + std::to_string(nodes.first) + " to " +
+                                                  std::to_string(nodes.first + nodes.vertices.size() - 1));
         loop.push_back(static_cast<Index>(index - nodes.first));
         if (loop.size() == corners && word + 1 != lines.words().size())
           lines.fail("more nodes than the polygon counts", "expected " + std::to_string(corners));
@@ -128,14 +157,10 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
     }
     polyhedron.add_face(loops);
   }
-  if (!lines.next()) return;
-  const std::size_t points = lines.count_ahead(lines.words()[0], "count of hole points", 8);
-  for (std::size_t k = 0; k < points; ++k) {
-    lines.need_next("hole point", k + 1, points);
-    lines.point(1);
-  }
-  if (points != 0)
+  if (scan_poly_points(lines, "hole point", 4) != 0)
     model.notes.push_back("hole points of the volume are not used: only the facets' directions make a cavity");
+  if (scan_poly_points(lines, "region", 6) != 0) model.notes.push_back("regions are not used");
+  if (lines.next()) lines.fail("more lines than the counts say", "expected the end of the file");
 }
 
 /// Returns the model of a TetGen .poly file at `path` with the content `text`, without a name. Throws Input_error.
@@ -144,7 +169,7 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
 /// - nodes; if there are none, they are in the .node file beside it;
 /// - facets of one or more polygons, the first being the outer one, with a hole point for each other;
 /// - hole points of the volume, which are not used, with a note;
-/// - regions, which are not used.
+/// - regions, which are not used, with a note.
 ///
 /// The format orders neither facets nor hole loops. Loops stand as given where the directed edges then cancel.
 /// Otherwise hole loops are turned against their outer loop. Where that is not enough, facets are oriented across their
@@ -163,8 +188,16 @@ inline Read_model read_poly(const std::filesystem::path& path, std::string_view 
   }
   scan_poly_facets(lines, nodes, model);
   nodes.unplaced.settle(model.polyhedron, model.notes);
-  if (is_closed(model.polyhedron)) return model;
-  model.polyhedron = turn_hole_loops(model.polyhedron, model.loops_turned);
+  std::size_t as_outer = 0;
+  Polyhedron turned = turn_hole_loops(model.polyhedron, as_outer);
+  if (is_closed(model.polyhedron)) {
+    if (as_outer > 0)
+      model.notes.push_back("hole loops that run as their outer loop does, which closes the surface: " +
+                            std::to_string(as_outer));
+    return model;
+  }
+  model.polyhedron = std::move(turned);
+  model.loops_turned = as_outer;
   if (is_closed(model.polyhedron)) return model;
   Oriented oriented = orient_across_edges(model.polyhedron);
   model.facets_turned = oriented.turned.size();

@@ -4,6 +4,7 @@
 #include "tetracone/covering/io/read_scan.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -29,6 +30,23 @@ inline bool has_size_of_binary_stl(std::string_view text)
   return text.size() >= 84 && text.size() == 84 + 50 * little_endian(text, 80, 4);
 }
 
+/// True when the text begins with a triangle as programs write it. Its numbers are finite, its normal has length 0 or
+/// about 1, and its corners are not all in one place.
+inline bool begins_with_triangle(std::string_view text)
+{
+  if (text.size() < 50) return false;
+  std::array<float, 12> number;
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    number[k] = std::bit_cast<float>(std::uint32_t(little_endian(text, 4 * k, 4)));
+    if (!std::isfinite(number[k])) return false;
+  }
+  const auto corner = [&](std::size_t k) { return std::array{number[3 * k], number[3 * k + 1], number[3 * k + 2]}; };
+  double square = 0;
+  for (const float x : corner(0)) square += double(x) * double(x);
+  constexpr double tolerance = 0.01;  // of normals that are rounded to few digits
+  return (square == 0 || std::abs(square - 1) < tolerance) && !(corner(1) == corner(2) && corner(1) == corner(3));
+}
+
 /// The positions of the triangles of a binary STL, 50 bytes each, and notes of the bytes between and behind them.
 struct Stl_layout {
   std::vector<std::size_t> begins;  ///< where they begin; none: one behind the other from byte 84 on
@@ -38,8 +56,8 @@ struct Stl_layout {
 
 /// Returns the layout of a binary STL. The count may be 0, as by a writer that cannot go back to it: then the triangles
 /// go up to the end. Each triangle may be followed by as many bytes of attributes as its last two bytes say. The last
-/// triangle may be followed by other bytes, such as a line feed. Their number is no multiple of 50, and they are no
-/// binary STL of their own. Throws Input_error for any other size.
+/// triangle may be followed by other bytes, such as a line feed. Their number is no multiple of 50, they do not begin
+/// with a triangle, and they are no binary STL of their own. Throws Input_error for any other size.
 inline Stl_layout layout_of_binary_stl(const std::string& file, std::string_view text)
 {
   if (text.size() < 84)
@@ -67,7 +85,7 @@ inline Stl_layout layout_of_binary_stl(const std::string& file, std::string_view
     }
     layout.begins.clear();
     const std::string_view behind = text.substr(usual);
-    if (counted != 0 && behind.size() % 50 != 0 && !has_size_of_binary_stl(behind)) {
+    if (counted != 0 && behind.size() % 50 != 0 && !has_size_of_binary_stl(behind) && !begins_with_triangle(behind)) {
       layout.notes.push_back("bytes behind the last triangle are left out: " + std::to_string(behind.size()));
       return layout;
     }

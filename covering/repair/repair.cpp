@@ -207,7 +207,8 @@ Triangulated triangulate_non_planar(Polyhedron polyhedron)
 Oriented orient(const Polyhedron& polyhedron)
 {
   const auto turned = repair::turns_by_cgal(polyhedron);
-  return apply_orientation(polyhedron, turned ? *turned : turns_across_edges(polyhedron));
+  return apply_orientation(polyhedron, turned ? *turned : turns_across_edges(polyhedron),
+                           [](const Polyhedron& group) { return volume(triangulate_non_planar(group).polyhedron); });
 }
 
 bool closes_if_oriented(const Polyhedron& polyhedron) { return is_closed(orient(polyhedron).polyhedron); }

@@ -57,10 +57,11 @@ Triangulated triangulate_non_planar(Polyhedron polyhedron);
 
 /// Returns the polyhedron with its faces oriented consistently across edges that two faces share. CGAL does it if
 /// each face is one loop without a repeated vertex, else a breadth-first search. Parts that are closed already are
-/// left alone; parts that become closed are turned outward (`apply_orientation`).
+/// left alone; parts that become closed are turned outward, by the volume of `triangulate_non_planar`
+/// (`apply_orientation`).
 Oriented orient(const Polyhedron& polyhedron);
 
-/// True when consistent orientation alone closes the polyhedron, or it is closed already.
+/// True when `orient` closes the polyhedron, or it is closed already.
 bool closes_if_oriented(const Polyhedron& polyhedron);
 
 }  // namespace tetracone::covering

@@ -88,8 +88,10 @@ def count(word):
 
 def read_off(lines):
     if not lines[0][0].isdigit():  # the keyword may be left out
-        need_form(re.fullmatch("(ST)?C?N?OFF", lines[0][0]), "the file does not begin with OFF")
-        lines = [lines[0][1:]] * (len(lines[0]) > 1) + lines[1:]
+        keyword = re.fullmatch("(?:ST|C|N)*OFF([0-9]*)", lines[0][0])
+        need_form(keyword, "the file does not begin with OFF")
+        counts = [keyword[1]] * (keyword[1] != "") + lines[0][1:]
+        lines = [counts] * (counts != []) + lines[1:]
     first = 1 + count(lines[0][0])
     faces = [[[count(x) for x in words[1:1 + count(words[0])]]] for words in lines[first:first + count(lines[0][1])]]
     need_form(len(faces) == count(lines[0][1]), "the file ends too early")

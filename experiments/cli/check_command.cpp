@@ -36,6 +36,24 @@ struct Checked {
   std::string what_closes;  ///< of an open one
 };
 
+/// Returns the properties of a polyhedron. Volumes and orientations are those of the body that answers: triangles replace
+/// faces that are not planar.
+Check check_as_answered(const covering::Polyhedron& polyhedron)
+{
+  Check check = covering::check(polyhedron);
+  if (check.off_plane.empty() || !check.closed) return check;
+  const Check cut = covering::check(covering::triangulate_non_planar(polyhedron).polyhedron);
+  check.volume = cut.volume;
+  check.orientation = cut.orientation;
+  // A shell whose triangles cancel one another is none of the body's.
+  const bool has_same_shells = check.shells.size() == cut.shells.size();
+  for (std::size_t k = 0; k < check.shells.size(); ++k) {
+    check.shells[k].volume = has_same_shells ? cut.shells[k].volume : std::nullopt;
+    if (has_same_shells) check.shells[k].orientation = cut.shells[k].orientation;
+  }
+  return check;
+}
+
 Checked look_at(const std::string& file, const Check_options& options)
 {
   Checked result;
@@ -55,7 +73,7 @@ Checked look_at(const std::string& file, const Check_options& options)
     result.faces_oriented = oriented.turned.size();
     polyhedron = std::move(oriented.polyhedron);
   }
-  result.check = covering::check(polyhedron);
+  result.check = check_as_answered(polyhedron);
   result.closes_if_oriented = result.check.closed || covering::closes_if_oriented(polyhedron);
   if (!result.check.closed) result.what_closes = what_closes(polyhedron);
   return result;

@@ -87,11 +87,12 @@ Model_file load(const std::string& file, const Model_options& options, bool must
     else
       read = covering::read_with_notes(file);
     for (const std::string& note : read.notes) lines += file + ": " + note + "\n";
+    const bool is_changed = !read.notes.empty() || read.loops_turned + read.facets_turned > 0;
     covering::Polyhedron polyhedron = std::move(read.polyhedron);
     if (options.merge) polyhedron = covering::merge_equal_vertices(std::move(polyhedron));
     if (options.orient) polyhedron = covering::orient(polyhedron).polyhedron;
     Model_file model = planar_model(file, std::move(polyhedron), options.strict, lines);
-    model.is_as_in_file = !is_saved && !options.merge && !options.orient && read.loops_turned + read.facets_turned == 0;
+    model.is_as_in_file = !is_saved && !options.merge && !options.orient && !is_changed;
     return model;
   };
   Model_file model = is_saved && !options.merge && !options.orient ? saved_model(file) : as_options_say();
@@ -121,7 +122,10 @@ Holder named_as_in_file(Holder holder, const Model_file& model)
 std::string what_closes(const covering::Polyhedron& polyhedron)
 {
   if (covering::closes_if_oriented(polyhedron)) return "consistent orientation would close it: --orient";
-  const std::string orientation = "consistent orientation alone would not close it";
+  // Which faces go together at an edge of more than two is not searched, though some choice may close it.
+  const std::string orientation = covering::check(polyhedron).non_manifold_edges == 0
+                                      ? "consistent orientation alone would not close it"
+                                      : "--orient would not close it";
   const covering::Polyhedron merged = covering::merge_equal_vertices(polyhedron);
   if (covering::is_closed(merged)) return orientation + ", merging equal vertices would: --merge";
   if (covering::closes_if_oriented(merged))

@@ -33,7 +33,8 @@ struct Model_file {
   Body body;  ///< with the nodes of its tree that the file has, or triangulated
   std::vector<covering::Index>
       source_face;             ///< for each face, the face of the file that it is, or is a triangle of; ascending
-  bool is_as_in_file = false;  ///< the file has these vertices, and in their directions the faces of `source_face`
+  bool is_as_in_file = false;  ///< the file has these vertices, and in their directions the faces of `source_face`; the
+                               ///< reader had nothing to note
   /// The face, for each edge within a face that triangles replace; the file has no such edge. Its key is its vertices,
   /// the smaller number first.
   std::map<std::array<covering::Index, 2>, covering::Index> inner_edges = {};

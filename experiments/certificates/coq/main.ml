@@ -191,13 +191,18 @@ let rec take n l = if n = 0 then [] else match l with x :: rest -> x :: take (n 
 let rec drop n l = if n = 0 then l else match l with _ :: rest -> drop (n - 1) rest | [] -> bad "a file ends too early"
 
 let read_off lines =
-  let is_keyword word = List.mem word ["OFF"; "COFF"; "NOFF"; "CNOFF"; "STOFF"; "STCOFF"; "STNOFF"; "STCNOFF"] in
+  let behind n word = String.sub word n (String.length word - n) in
+  let rec behind_keyword word =
+    if String.starts_with ~prefix:"OFF" word then behind 3 word
+    else if String.starts_with ~prefix:"ST" word then behind_keyword (behind 2 word)
+    else if String.starts_with ~prefix:"C" word || String.starts_with ~prefix:"N" word then behind_keyword (behind 1 word)
+    else bad "the file does not begin with OFF" in
   let lines = match lines with
     | (word :: _) :: _ when is_digits word -> lines  (* the keyword may be left out *)
-    | [word] :: rest when is_keyword word -> rest
-    | (word :: counts) :: rest when is_keyword word -> counts :: rest
-    | [] -> bad "a file ends too early"
-    | _ -> bad "the file does not begin with OFF" in
+    | (word :: counts) :: rest ->
+      let counts = match behind_keyword word with "" -> counts | stuck -> stuck :: counts in
+      if counts = [] then rest else counts :: rest
+    | _ -> bad "a file ends too early" in
   let vertices, faces, rest = match lines with (v :: f :: _) :: rest -> (integer v, integer f, rest) | _ -> bad "an OFF file has no counts" in
   let at = List.map (fun line -> List.map given_word (take 3 line)) (take vertices rest) in
   (at, List.map (fun line -> [List.map integer (take (integer (List.hd line)) (List.tl line))]) (take faces (drop vertices rest)))

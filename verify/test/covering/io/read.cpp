@@ -530,6 +530,10 @@ BOOST_AUTO_TEST_CASE(binary_stl_takes_a_count_of_0_attributes_and_bytes_behind_t
   };
   take(usual + "\n", "bytes behind the last triangle are left out: 1");
   take(usual + std::string(412, 'x'), "bytes behind the last triangle are left out: 412");
+  take(usual + std::string(412, '\0'), "bytes behind the last triangle are left out: 412");
+  // A count that is too small loses no triangle, whatever else is behind it.
+  for (const int counted : {1, 3})
+    BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, counted) + "\n").starts_with(": binary STL of "));
   take(binary_stl(tetrahedron_triangles, 0),
        "the count of triangles is 0: those up to the end of the file are read, 4");
   std::string attributes = usual.substr(0, 84);

@@ -91,6 +91,15 @@ BOOST_AUTO_TEST_CASE(hole_points_and_regions_behind_the_facets_are_passed_over)
   const Read_model model = read_poly(poly(unit_cube()) + "1\n1 0.5 0.5 0.5\n1\n1 0.5 0.5 0.5 1 0.1\n");
   BOOST_TEST((volume(model.polyhedron) == 1));
   BOOST_TEST(model.notes.at(0) == "hole points of the volume are not used: only the facets' directions make a cavity");
+  BOOST_TEST(model.notes.at(1) == "regions are not used");
+}
+
+BOOST_AUTO_TEST_CASE(facets_beyond_their_count_are_no_hole_points)
+{
+  const std::string points = nodes(unit_cube(), 1) + "1\n1\n4 1 2 3 4\n";
+  check_refused(".poly", ":13", points, {"1 0\n3 1 2 3\n", "1 0\n", "1 0 0 0\n"});
+  check_refused(".poly", ":14", points, {"1\n3 1 2 3\n", "0\n1 0\n3 1 2 3\n", "1\n1 0 0 0 0\n"});
+  check_refused(".poly", ":15", points, {"0\n0\njunk\n", "0\n1\n3 1 2 3\n", "2\n1 0 0 0\n3 1 2 3\n"});
 }
 
 BOOST_AUTO_TEST_CASE(an_open_facet_list_stays_open)

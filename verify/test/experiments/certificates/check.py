@@ -216,6 +216,17 @@ class Certificates(unittest.TestCase):
         self.assertIn("vertices", json.loads(text)["bodies"][0])
         self.assertEqual(len(list(check.prove(text))), 1)
 
+    def test_a_model_that_is_not_as_its_file_stands_in_the_certificate(self):
+        point = self.folder / "inner"
+        point.write_text("1/8 1/8 1/8\n")
+        short = CUBE.replace("8 6 0\n", "8 7 0\n") + "2 0 1\n"
+        unused = CUBE.replace("8 6 0\n", "9 6 0\n").replace("1 1 1\n", "1 1 1\nnan 0 0\n")
+        for name, data in (("short.off", short), ("unused.off", unused)):
+            file = self.folder / name
+            file.write_text(data)
+            text, _ = self.asked("inside", file, point)
+            self.assertEqual(len(list(check.prove(text, [], [("point", point)]))), 1, name)
+
     def test_files_are_for_the_bodies_that_name_one(self):
         turned, cube = SOURCE / "verify/test/models/frame.poly", self.folder / "cube.off"
         text, _ = self.asked("distance", turned, cube)
@@ -260,7 +271,7 @@ class Certificates(unittest.TestCase):
         point.write_text("1/8 1/8 1/8\n")
         four.write_text("1 0 0 1/2\n0 1 0 0\n0 0 1 0\n0 0 0 1\n")
         triangles = ("1 3 2", "1 2 4", "1 4 3", "2 3 4")
-        for name, data in (("without.off", CUBE.removeprefix("OFF\n").encode()), ("latin.off", b"OFF # \xe8\n" + CUBE.removeprefix("OFF\n").encode()),
+        for name, data in (("without.off", CUBE.removeprefix("OFF\n").encode()), ("stuck.off", CUBE.replace("OFF\n", "OFF").encode()), ("latin.off", b"OFF # \xe8\n" + CUBE.removeprefix("OFF\n").encode()),
                            ("marked.poly", ("4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n4 1\n" + "".join(
                                f"1 0 -1\n3 {corners}\n" for corners in triangles) + "0\n").encode())):
             file = self.folder / name

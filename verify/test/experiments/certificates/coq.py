@@ -195,6 +195,7 @@ def model_texts():
     faces = [" ".join(map(str, f)) for f in CUBE_FACES]
     yield "cube.off", "OFF # a cube\n8 6 0\n" + "\n".join(vertices) + "\n" + "".join(f"4 {f}\n" for f in faces)
     yield "without.off", "8 6 0\n" + "\n".join(vertices) + "\n" + "".join(f"4 {f}\n" for f in faces)
+    yield "stuck.off", "CSTOFF8 6 0\n" + "\n".join(vertices) + "\n" + "".join(f"4 {f}\n" for f in faces)
     yield "cube.obj", "".join(f"v {v}\n" for v in vertices) + "".join("f " + " ".join(f"{v + 1}/1" for v in f) + "\n" for f in CUBE_FACES[:3]) + \
         "".join("f " + " ".join(str(v - 8) for v in f) + "\n" for f in CUBE_FACES[3:])
     yield "cube.poly", "8 3 0 0\n" + "".join(f"{k} {v}\n" for k, v in enumerate(vertices)) + "6 0\n" + "".join(f"1 0 -1\n4 {f}\n" for f in faces) + "0\n"
