@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(the_order_by_cells_has_every_point_once)
   for (const double size : {1.0, 0.0, 0x1p-1074, 0x1p-1010, 0x1.fffffffffffffp1023})
     for (const std::size_t count : {1, 2, 3000}) {
       std::vector<Vertex> points;
-      for (std::size_t k = 0; k < count; ++k) points.push_back(scenes::real_vertex(random, size));
+      for (std::size_t k = 0; k < count; ++k) points.push_back(kernel::scaled(scenes::real_vertex(random, 1), size));
       points[0] = {-size, size, size};
       points.back() = {size, size, -size};
       const std::vector<std::uint32_t> order = order_by_cells(points);
