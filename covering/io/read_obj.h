@@ -137,8 +137,8 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
 
 /// Returns what a Wavefront OBJ text holds: vertices (`v`) and faces (`f`, `fo`, `q`). A face stays a polygon. Its
 /// indices count from 1, or backwards from the last vertex before it. A line that ends in a backslash goes on in the
-/// next. Statements that draw something else (points, lines, curves, groups, materials) are skipped; unknown ones are
-/// refused. A first line of two counts, of vertices and faces, is taken too (FCL's files have it), and must be right. A
+/// next. Statements that draw something else (points, lines, curves, groups, materials) are skipped, free-form surfaces
+/// with a note; unknown ones are refused. A first line of two counts, of vertices and faces, is taken too (FCL's files have it), and must be right. A
 /// face may name vertices that come later. Throws Input_error at a flaw.
 ///
 /// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
@@ -156,6 +156,7 @@ inline Scan scan_obj(const std::string& file, std::string_view text)
       "deg",   "step",      "bmat",   "con",   "curv",     "curv2",  "surf",     "parm",       "trim",
       "hole",  "trace_obj", "scrv",   "sp",    "end",      "surf_1", "q0_1",     "q1_1",       "curv2d_1",
       "bsp",   "surf_2",    "q0_2",   "q1_2",  "curv2d_2", "bzp",    "cdc",      "cdp",        "res"};
+  constexpr std::array surfaces = {"surf", "bsp", "bzp", "cdp", "res"};
   constexpr std::array unknown_to_cgal = {"l", "call", "csh", "maplib", "mg"};
 
   Scan scan;
@@ -168,6 +169,7 @@ inline Scan scan_obj(const std::string& file, std::string_view text)
   std::vector<std::pair<std::size_t, std::int64_t>> ahead;
   std::optional<std::array<std::uint64_t, 2>> counts;
   bool first_statement = true;
+  Left_out free_form;
   std::vector<Index> loop;
   while (statements.next()) {
     if (std::exchange(first_statement, false) && words.size() == 2 && parse_count(words[0]) && parse_count(words[1])) {
@@ -204,9 +206,12 @@ inline Scan scan_obj(const std::string& file, std::string_view text)
       scan.cgal_knows = false;
     } else if (std::ranges::none_of(skipped, is_statement)) {
       lines.fail(in_quotes(statement) + " as statement", "expected v, f or another statement of the format");
+    } else if (std::ranges::any_of(surfaces, is_statement)) {
+      free_form.add(at_line(lines));
     }
   }
   if (statements.continued()) scan.cgal_knows = false;
+  free_form.note("free-form surfaces are left out", scan.notes);
   statements.kept().note("lines behind one that ends in a backslash are read as statements of their own", scan.notes);
   for (const auto& [line, index] : ahead)
     if (index >= static_cast<std::int64_t>(vertices.size()))

@@ -295,6 +295,9 @@ BOOST_AUTO_TEST_CASE(obj_takes_negative_indices_every_form_of_corner_comments_in
     const Read_model model = read_tetrahedron(".obj", vertices + faces);
     BOOST_TEST(model.notes.at(0) == note, faces);
   }
+  const std::string surface = "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nend\n";
+  BOOST_TEST(read_tetrahedron(".obj", vertices + obj_faces + surface).notes.at(0) ==
+             "free-form surfaces are left out: 1 (the first: line 19)");
   read_tetrahedron(".obj", "4 4\n" + tetrahedron_obj);
   read_tetrahedron(".obj",
                    "v 0 0 0#origin\nv 1 0 0 # x\nv 0 1 0\nv 0 0 1\n#\nf 1 3 2#\nfo 1 2 4\nf 2 3 "
