@@ -80,31 +80,30 @@ inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& cou
   return result;
 }
 
-/// Reads a list of points behind the facets: their count alone on a line, then a line each, "index x y z". The indices
-/// ascend from 0 or 1. A line has at most `most_words` words. Returns the count, 0 at the end of the file. Throws
-/// Input_error, as for facets that the file does not count.
-inline std::size_t scan_poly_points(Text_lines& lines, const char* what, std::size_t most_words)
+/// Reads a list behind the facets: a line with their count, then a line each, which begins with its index. The indices
+/// ascend from 0 or 1. Returns the count, 0 at the end of the file. Throws Input_error, as for facets that the file does
+/// not count.
+inline std::size_t scan_poly_list(Text_lines& lines, const std::string& what, bool are_points)
 {
   if (!lines.next()) return 0;
-  if (lines.words().size() != 1)
+  if (are_points && lines.words().size() != 1)
     lines.fail(std::to_string(lines.words().size()) + " words behind the last facet that is counted",
-               std::string("expected the count of ") + what + "s alone, or the end of the file");
-  const std::size_t points = lines.count_ahead(lines.words()[0], std::string("count of ") + what + "s", 8);
+               "expected the count of " + what + "s alone, or the end of the file");
+  const std::size_t count = lines.count_ahead(lines.words()[0], "count of " + what + "s", are_points ? 8 : 2);
   std::uint64_t first = 0;
-  for (std::size_t k = 0; k < points; ++k) {
-    lines.need_next(what, k + 1, points);
-    const std::uint64_t index = lines.count(0, std::string("index of a ") + what);
+  for (std::size_t k = 0; k < count; ++k) {
+    lines.need_next(what, k + 1, count);
+    const std::uint64_t index = lines.count(0, "index of a " + what);
     if (k == 0) first = index;
     if (first > 1 || index != first + k)
-      lines.fail(std::string(what) + " " + in_quotes(lines.words()[0]),
+      lines.fail(what + " " + in_quotes(lines.words()[0]),
                  k == 0 ? "expected 0 or 1" : "expected " + std::to_string(first + k));
+    if (!are_points) continue;
     lines.point(1);
-    if (lines.words().size() > most_words)
-      lines.fail(std::string("a ") + what + " of " + std::to_string(lines.words().size()) + " numbers",
-                 "expected at most " + std::to_string(most_words));
-    for (std::size_t word = 4; word < lines.words().size(); ++word) lines.number(word, "attribute of a region");
+    if (lines.words().size() > 4)
+      lines.fail("a " + what + " of " + std::to_string(lines.words().size()) + " numbers", "expected 4");
   }
-  return points;
+  return count;
 }
 
 /// Reads the facets into `model`, and what is behind them. It checks the hole points and regions of the volume and
@@ -157,9 +156,9 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
     }
     polyhedron.add_face(loops);
   }
-  if (scan_poly_points(lines, "hole point", 4) != 0)
+  if (scan_poly_list(lines, "hole point", true) != 0)
     model.notes.push_back("hole points of the volume are not used: only the facets' directions make a cavity");
-  if (scan_poly_points(lines, "region", 6) != 0) model.notes.push_back("regions are not used");
+  if (scan_poly_list(lines, "region", false) != 0) model.notes.push_back("regions are not used");
   if (lines.next()) lines.fail("more lines than the counts say", "expected the end of the file");
 }
 
