@@ -138,8 +138,8 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
 /// Returns what a Wavefront OBJ text holds: vertices (`v`) and faces (`f`, `fo`, `q`). A face stays a polygon. Its
 /// indices count from 1, or backwards from the last vertex before it. A line that ends in a backslash goes on in the
 /// next. Statements that draw something else (points, lines, curves, groups, materials) are skipped, free-form surfaces
-/// with a note; unknown ones are refused. A first line of two counts, of vertices and faces, is taken too (FCL's files have it), and must be right. A
-/// face may name vertices that come later. Throws Input_error at a flaw.
+/// with a note; unknown ones are refused. A first line of two counts, of vertices and faces, is taken too (FCL's files
+/// have it), and must be right. A face may name vertices that come later. Throws Input_error at a flaw.
 ///
 /// These dialects are read by the scan alone, since CGAL's reader does not take them, or not as they are meant:
 ///

@@ -80,9 +80,9 @@ inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& cou
   return result;
 }
 
-/// Reads a list behind the facets: a line with their count, then a line each, which begins with its index. The indices
-/// ascend from 0 or 1. Returns the count, 0 at the end of the file. Throws Input_error, as for facets that the file does
-/// not count.
+/// Reads a list behind the facets: a line with its count, then a line each, which begins with its index. The indices
+/// ascend from 0 or 1. Returns the count, 0 at the end of the file. Throws Input_error, as for facets that the file
+/// does not count.
 inline std::size_t scan_poly_list(Text_lines& lines, const std::string& what, bool are_points)
 {
   if (!lines.next()) return 0;

@@ -36,8 +36,8 @@ struct Checked {
   std::string what_closes;  ///< of an open one
 };
 
-/// Returns the properties of a polyhedron. Volumes and orientations are those of the body that answers: triangles replace
-/// faces that are not planar.
+/// Returns the properties of a polyhedron. Volumes and orientations are those of the body that answers: triangles
+/// replace faces that are not planar.
 Check check_as_answered(const covering::Polyhedron& polyhedron)
 {
   Check check = covering::check(polyhedron);
