@@ -43,8 +43,9 @@ inline bool begins_with_triangle(std::string_view text)
   const auto corner = [&](std::size_t k) { return std::array{number[3 * k], number[3 * k + 1], number[3 * k + 2]}; };
   double square = 0;
   for (const float x : corner(0)) square += double(x) * double(x);
-  constexpr double tolerance = 0.01;  // of normals that are rounded to few digits
-  return (square == 0 || std::abs(square - 1) < tolerance) && !(corner(1) == corner(2) && corner(1) == corner(3));
+  // Normals may be rounded to few digits.
+  const bool is_normal = square == 0 || (square > 0.99 && square < 1.01);
+  return is_normal && !(corner(1) == corner(2) && corner(1) == corner(3));
 }
 
 /// The positions of the triangles of a binary STL, 50 bytes each, and notes of the bytes between and behind them.
