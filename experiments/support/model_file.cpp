@@ -123,9 +123,12 @@ std::string what_closes(const covering::Polyhedron& polyhedron)
 {
   if (covering::closes_if_oriented(polyhedron)) return "consistent orientation would close it: --orient";
   // Which faces go together at an edge of more than two is not searched, though some choice may close it.
-  const std::string orientation = covering::check(polyhedron).non_manifold_edges == 0
-                                      ? "consistent orientation alone would not close it"
-                                      : "--orient would not close it";
+  bool has_plain_edges = true;
+  const auto uses = covering::edge_uses(polyhedron);
+  covering::for_each_edge(
+      uses, [&](std::span<const covering::Edge_use> edge) { has_plain_edges = has_plain_edges && edge.size() <= 2; });
+  const std::string orientation =
+      has_plain_edges ? "consistent orientation alone would not close it" : "--orient would not close it";
   const covering::Polyhedron merged = covering::merge_equal_vertices(polyhedron);
   if (covering::is_closed(merged)) return orientation + ", merging equal vertices would: --merge";
   if (covering::closes_if_oriented(merged))
