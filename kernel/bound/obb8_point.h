@@ -5,6 +5,10 @@
 #include "tetracone/kernel/simd/simd.h"
 
 #include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace tetracone::kernel {
 
@@ -18,8 +22,17 @@ inline constexpr float point_box_rounding = 32 * 0x1p-24f;
 /// They are counted by hand (verify/proofs/other_constants.h).
 inline constexpr float point_square_shrink = 1 - 0x1p-18f;
 
-/// For each lane, a lower bound of the squared distance of a point and the lane's box, in local units.
+/// For each lane, a lower bound of the squared distance of a point and the lane's box, in local units. Its last three
+/// bits are the lane's number, which may raise a bound near 0 by `lane_number_error`.
 using Lane_squares = std::array<float, lanes>;
+inline constexpr float lane_number_error = 7 * std::numeric_limits<float>::denorm_min();
+
+/// The least squares: bounds where nothing is known.
+inline constexpr Lane_squares zero_squares = [] {
+  Lane_squares squares;
+  for (std::uint32_t lane = 0; lane < lanes; ++lane) squares[lane] = std::bit_cast<float>(lane);
+  return squares;
+}();
 
 }  // namespace tetracone::kernel
 
@@ -37,6 +50,14 @@ inline void point_squares(const Obb8& boxes, const std::array<double, 3>& point,
 {
   static auto* const fastest = TETRACONE_SIMD_FASTEST(point_squares_simd);
   fastest(boxes, point, squares.data());
+}
+
+/// Returns the lane of the least square among those whose bits are set in `left`. Returns -1 if none is left or the
+/// least exceeds `limit`. Requires squares of `point_squares`.
+inline int nearest_lane(const Lane_squares& squares, std::uint32_t left, float limit)
+{
+  static auto* const fastest = TETRACONE_SIMD_FASTEST(nearest_lane_simd);
+  return fastest(squares, left, limit);
 }
 
 }  // namespace tetracone::kernel

@@ -15,6 +15,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 inline HWY_ATTR void point_squares_simd(const Obb8& boxes, const std::array<double, 3>& point, float* squares)
 {
   constexpr hn::CappedTag<float, lanes> tag{};
+  constexpr hn::RebindToUnsigned<decltype(tag)> bits{};
   float from[3], m = boxes.reach;
   for (int k = 0; k < 3; ++k) {
     from[k] = float(point[std::size_t(k)] - double(boxes.origin[k]));
@@ -33,8 +34,26 @@ inline HWY_ATTR void point_squares_simd(const Obb8& boxes, const std::array<doub
       const auto beyond = hn::Max(zero, hn::Sub(hn::Sub(at, load(boxes.extent[i])), slack));
       sum = hn::MulAdd(beyond, beyond, sum);
     }
-    hn::StoreU(hn::Mul(sum, all(point_square_shrink)), tag, squares + lane);
+    const auto number = hn::Iota(bits, std::uint32_t(lane)), of_number = hn::Set(bits, lanes - 1);
+    const auto square = hn::AndNot(of_number, hn::BitCast(bits, hn::Mul(sum, all(point_square_shrink))));
+    hn::StoreU(hn::BitCast(tag, hn::Or(square, number)), tag, squares + lane);
   }
+}
+
+/// Implements `nearest_lane`.
+inline HWY_ATTR int nearest_lane_simd(const Lane_squares& squares, std::uint32_t left, float limit)
+{
+  constexpr hn::CappedTag<float, lanes> tag{};
+  constexpr hn::RebindToUnsigned<decltype(tag)> bits{};
+  static constexpr std::array<std::uint32_t, lanes> bit = {1, 2, 4, 8, 16, 32, 64, 128};
+  auto least = hn::Set(tag, std::numeric_limits<float>::max());
+  for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
+    const auto is_left = hn::TestBit(hn::Set(bits, left), hn::LoadU(bits, bit.data() + lane));
+    const auto square = hn::LoadU(tag, squares.data() + lane);
+    least = hn::Min(least, hn::IfThenElse(hn::RebindMask(tag, is_left), square, least));
+  }
+  const float nearest = hn::GetLane(hn::MinOfLanes(tag, least));
+  return left == 0 || nearest > limit ? -1 : int(std::bit_cast<std::uint32_t>(nearest) % lanes);
 }
 
 }  // namespace tetracone::kernel::HWY_NAMESPACE

@@ -58,8 +58,8 @@ class Bvh8_points {
     return settled();
   }
 
-  /// Calls what(k, `by_enclosures` of point k) for each point, in order. Up to 16 points take turns, a node each, so
-  /// that memory accesses of some overlap with computations of others. Requires finite coordinates.
+  /// Calls what(k, `by_enclosures` of point k) for each point, in order. Up to 16 points take turns, a step each,
+  /// so that memory accesses of some overlap with computations of others. Requires finite coordinates.
   template <class What>
   static void by_enclosures_of_each(const Bvh8& tree, std::span<const covering::Vertex> points, const What& what)
   {
@@ -110,9 +110,12 @@ class Bvh8_points {
   /// A node whose boxes are known.
   struct Open {
     Index node;
-    unsigned left;                 // bits: its boxes that are not yet looked into
-    kernel::Lane_squares squares;  // lower bounds of the squared distances of its boxes, in local units
+    unsigned left;                                                  // bits: its boxes that are not yet looked into
+    kernel::Lane_squares squares;                                   // those of its boxes
+    Open(Index n, int count) : node(n), left((1u << count) - 1) {}  // squares are set when they are known
   };
+  /// What a search does next. The memory for it is being prefetched.
+  enum class Step { open, find_corners, compare };
   /// An element that may be the nearest.
   struct Candidate {
     const Element* element;
@@ -150,28 +153,42 @@ class Bvh8_points {
     high_ = std::numeric_limits<double>::infinity();
     limit_ = std::numeric_limits<float>::infinity();
     open_.clear();
+    step_ = Step::open;
     next_ = 0;
   }
 
-  /// Opens the nearest node. False if none is left; then the candidates are all that may be nearest.
+  /// Makes a step. False if none is left; then the candidates are all that may be nearest.
   bool advance()
   {
-    open_node(next_);
+    switch (step_) {
+      case Step::open: open_node(next_); break;
+      case Step::find_corners:
+        for (Index k = 0; k < tree_->leaf_count(leaf_); ++k) prefetch_corners(tree_->element(leaf_, k));
+        step_ = Step::compare;
+        return true;
+      case Step::compare:
+        for (Index k = 0; k < tree_->leaf_count(leaf_); ++k) compare(tree_->element(leaf_, k));
+        break;
+    }
     while (!open_.empty()) {
       Open& top = open_.back();
-      const int lane = nearest_lane(top);
+      const int lane = kernel::nearest_lane(top.squares, top.left, limit_);
       if (lane < 0) {
         open_.pop_back();
         continue;
       }
       top.left &= ~(1u << lane);
       const Box_id box(top.node, lane);
-      if (!tree_->is_leaf(box)) {
+      if (tree_->is_leaf(box)) {
+        step_ = Step::find_corners;
+        leaf_ = box;
+        __builtin_prefetch(&tree_->element(box));
+      } else {
+        step_ = Step::open;
         next_ = tree_->child(box);
         tree_->prefetch(next_);
-        return true;
       }
-      for (Index k = 0; k < tree_->leaf_count(box); ++k) compare(tree_->element(box, k));
+      return true;
     }
     std::erase_if(candidates_, [this](const Candidate& c) { return c.low > high_; });
     return false;
@@ -180,22 +197,17 @@ class Bvh8_points {
   void open_node(Index n)
   {
     const Bvh8_node& node = tree_->node(n);
-    open_.push_back({n, (1u << node.boxes.lane_count) - 1, {}});
-    if (is_local_) kernel::point_squares(node.boxes, local_, open_.back().squares);
+    Open& opened = open_.emplace_back(n, node.boxes.lane_count);
+    if (is_local_)
+      kernel::point_squares(node.boxes, local_, opened.squares);
+    else
+      opened.squares = kernel::zero_squares;
   }
 
-  /// Returns the nearest box that is left, or -1 if all that are left are beyond the limit. Boxes whose bounds differ
-  /// in the last bits have any order.
-  int nearest_lane(const Open& open) const
+  void prefetch_corners(const Element& element) const
   {
-    std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
-    for (std::uint32_t lane = 0; lane < kernel::lanes; ++lane) {
-      const float square = open.squares[lane];
-      const bool is_near = bool(open.left >> lane & 1) & (square <= limit_);
-      const std::uint32_t key = (std::bit_cast<std::uint32_t>(square) & ~7u) | lane;
-      least = kernel::minimum(least, key | (std::uint32_t(is_near) - 1));
-    }
-    return least == std::numeric_limits<std::uint32_t>::max() ? -1 : int(least & 7);
+    if (element.is_whole_face()) return;
+    for (const Index v : element.corner) __builtin_prefetch(&vertex(v));
   }
 
   /// Keeps an element that may be the nearest, and lowers the limits by it.
@@ -221,6 +233,7 @@ class Bvh8_points {
     if (gap.high < high_) {
       high_ = gap.high;
       const double far = high_ + 2 * error_ + box_error, square = far * far;
+      // The last summand covers underflow, and `kernel::lane_number_error`.
       if (square < 0x1p100) limit_ = float(square) * kernel::rounded_up + 0x1p-100f;
     }
     candidates_.push_back({&element, gap.low, gap.nearest, gap.corners});
@@ -382,7 +395,9 @@ class Bvh8_points {
   float limit_ = 0;
   bool is_bounded_ = false, is_local_ = false;
   std::vector<Open> open_;
+  Step step_ = Step::open;
   Index next_ = 0;  // the node that will be opened
+  Box_id leaf_;     // whose elements will be compared
   std::vector<Candidate> candidates_;
 };
 

@@ -11,6 +11,7 @@ using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
 inline auto point_versions() { return TETRACONE_VERSIONS_HERE(point_squares_simd); }
+inline auto nearest_versions() { return TETRACONE_VERSIONS_HERE(nearest_lane_simd); }
 
 Vector random_vector(Random& random) { return {real(random, -1, 1), real(random, -1, 1), real(random, -1, 1)}; }
 
@@ -53,13 +54,43 @@ BOOST_AUTO_TEST_CASE(no_point_of_a_box_is_nearer_than_the_bound_which_is_close)
       Lane_squares squares;
       squares_of(boxes, {p[0], p[1], p[2]}, squares.data());
       const double square = squares[std::size_t(asked)], exact = (p - on).squared_norm();
-      wrong += square > exact;
-      inside += way == 0 && square == 0;
+      wrong += square > exact + lane_number_error;
+      inside += way == 0 && square <= lane_number_error;
       loose += std::sqrt(square) < std::sqrt(exact) * (1 - 1e-4) - 1e-5;
     }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(inside > 500);
   BOOST_TEST(loose == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_nearest_lane_is_the_least_that_is_left_within_the_limit)
+{
+  Random random(4621);
+  constexpr float all = std::numeric_limits<float>::infinity();
+  long wrong = 0, none = 0;
+  for (const auto nearest : nearest_versions()) {
+    wrong += nearest(zero_squares, 0, all) != -1;
+    wrong += nearest(zero_squares, 0b11001000, all) != 3;
+    for (int round = 0; round < 20000; ++round) {
+      Lane_squares squares = zero_squares;
+      for (float& square : squares)  // some are equal but for the number
+        square += integer(random, 0, 2) == 0 ? 0 : std::ldexp(1.0f, integer(random, -3, 3));
+      for (std::uint32_t lane = 0; lane < lanes; ++lane)
+        squares[lane] = std::bit_cast<float>((std::bit_cast<std::uint32_t>(squares[lane]) & ~7u) | lane);
+      const std::uint32_t left = std::uint32_t(integer(random, 0, 255));
+      const float limit = integer(random, 0, 3) == 0 ? all : std::ldexp(1.0f, integer(random, -4, 3));
+      int expected = -1;
+      for (int lane = 0; lane < int(lanes); ++lane) {
+        const float square = squares[std::size_t(lane)];
+        if ((left >> lane & 1) == 0 || square > limit) continue;
+        if (expected < 0 || square < squares[std::size_t(expected)]) expected = lane;
+      }
+      wrong += nearest(squares, left, limit) != expected;
+      none += expected < 0;
+    }
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(none > 500);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
