@@ -23,9 +23,8 @@ inline constexpr float point_box_rounding = 32 * 0x1p-24f;
 inline constexpr float point_square_shrink = 1 - 0x1p-18f;
 
 /// For each lane, a lower bound of the squared distance of a point and the lane's box, in local units. Its last three
-/// bits are the lane's number, which may raise a bound near 0 by `lane_number_error`.
+/// bits are the lane's number, which may raise a bound of 0 to 7 * 2^-149.
 using Lane_squares = std::array<float, lanes>;
-inline constexpr float lane_number_error = 7 * std::numeric_limits<float>::denorm_min();
 
 /// The least squares: bounds where nothing is known.
 inline constexpr Lane_squares zero_squares = [] {

@@ -233,7 +233,7 @@ class Bvh8_points {
     if (gap.high < high_) {
       high_ = gap.high;
       const double far = high_ + 2 * error_ + box_error, square = far * far;
-      // The last summand covers underflow, and `kernel::lane_number_error`.
+      // The last summand covers underflow, and the numbers of lanes in `squares`.
       if (square < 0x1p100) limit_ = float(square) * kernel::rounded_up + 0x1p-100f;
     }
     candidates_.push_back({&element, gap.low, gap.nearest, gap.corners});
