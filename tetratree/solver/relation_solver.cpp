@@ -5,6 +5,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/contacts_data.h"
+#include "tetracone/tetratree/penetration/common_frame.h"
 #include "tetracone/tetratree/penetration/convex_body.h"
 #include "tetracone/tetratree/penetration/depth_search.h"
 #include "tetracone/tetratree/penetration/exit_search.h"
@@ -18,7 +19,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -100,10 +103,14 @@ class Bvh8_relation_solver : public Relation_solver {
   {
     Exits exits;
     if (!interiors_meet(relation_alone(pose_a, pose_b))) return exits;
+    const tetratree::Common_frame frame = common_frame(pose_a, pose_b);
     const kernel::Direction_view view(direction);
-    const tetratree::Exit_heights heights = exit_heights(pose_a, pose_b, direction, view);
-    write(heights.first / view.height(), exits.first, exits.exact_first);
-    write(heights.last / view.height(), exits.last, exits.exact_last);
+    const tetratree::Exit_heights heights = exit_heights(frame.pose[0], frame.pose[1], direction, view);
+    const auto given = [&](const kernel::Rational& height) {
+      return kernel::times_power(height / view.height(), frame.exponent);
+    };
+    write(given(heights.first), exits.first, exits.exact_first);
+    write(given(heights.last), exits.last, exits.exact_last);
     return exits;
   }
 
@@ -119,17 +126,19 @@ class Bvh8_relation_solver : public Relation_solver {
       depth_search_.emplace(seen(a), seen(b), tetratree::Inner_balls(a.bvh8(), a.point_locator()),
                             tetratree::Inner_balls(b.bvh8(), b.point_locator()));
     }
+    const tetratree::Common_frame frame = common_frame(pose_a, pose_b);
     const auto exit = [&](const kernel::Rational_point& direction) {
       const kernel::Direction_view view(direction);
-      const kernel::Rational first = exit_heights(pose_a, pose_b, direction, view).first / view.height();
+      const kernel::Rational first = exit_heights(frame.pose[0], frame.pose[1], direction, view).first / view.height();
       tetratree::Depth_search::Exit found{direction, {}};
       for (kernel::Rational& x : found.vector) x *= first;
       for (const auto& normal : exit_search_->normals()) found.normals.push_back(view.normal(normal));
       return found;
     };
-    const auto meet = [&](const kernel::Rational_point& v) { return meet_after(pose_a, pose_b, v, 1); };
-    return told((*depth_search_)(kernel::rows_of(pose_a), kernel::rows_of(pose_b), exit, meet,
-                                 {options.relative, options.budget}));
+    const auto meet = [&](const kernel::Rational_point& v) { return meet_after(frame.pose[0], frame.pose[1], v, 1); };
+    return told(scaled((*depth_search_)(kernel::rows_of(frame.pose[0]), kernel::rows_of(frame.pose[1]), exit, meet,
+                                        {options.relative, options.budget}),
+                       frame.exponent));
   }
 
   tetratree::Query_statistics statistics() const override
@@ -201,6 +210,23 @@ class Bvh8_relation_solver : public Relation_solver {
   static bool interiors_meet(Solid_relation relation)
   {
     return relation != Solid_relation::disjoint && relation != Solid_relation::meet;
+  }
+
+  tetratree::Common_frame common_frame(const kernel::Pose& pose_a, const kernel::Pose& pose_b) const
+  {
+    return tetratree::common_frame(pose_a, body_[0]->by_triangles().bvh8().scale(), pose_b);
+  }
+
+  /// Returns the bracket times 2^exponent.
+  static tetratree::Depth_bracket scaled(tetratree::Depth_bracket found, int exponent)
+  {
+    if (exponent == 0) return found;
+    const double least = std::ldexp(found.least, exponent);
+    // Below the normal doubles the product is rounded.
+    found.least = least < std::numeric_limits<double>::min() ? std::nextafter(least, 0.0) : least;
+    found.square = kernel::times_power(found.square, 2 * exponent);
+    for (kernel::Rational& x : found.vector) x = kernel::times_power(x, exponent);
+    return found;
   }
 
   static Depth told(const tetratree::Depth_bracket& found)

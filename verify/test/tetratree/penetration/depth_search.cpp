@@ -1,8 +1,10 @@
 #include "tetracone/tetratree/penetration/depth_search.h"
 
 #include "tetracone/kernel/contact/direction_view.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "tetracone/tetratree/penetration/common_frame.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/exit_truth.h"
 
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_depth_search)
@@ -187,6 +190,68 @@ BOOST_AUTO_TEST_CASE(a_solid_without_volume_has_no_inside)
   const Depth depth = query.depth(Pose(), Pose());
   BOOST_TEST(depth.is_exact);
   BOOST_TEST(depth.high == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_common_frame_is_one_map_of_both_poses)
+{
+  scenes::Random random(9);
+  long moved = 0, scaled = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const kernel::Local_scale scale{{scenes::real(random, -1, 1), 0, 1},
+                                    std::ldexp(1.0, scenes::integer(random, -9, 9))};
+    const Rational size = kernel::times_power(1, std::array{0, 0, -30, 300, -1000}[scenes::integer(random, 0, 4)]),
+                   far = kernel::times_power(scenes::integer(random, -9, 9), scenes::integer(random, -9, 70));
+    std::array<Pose, 2> pose;
+    for (Pose& p : pose) {
+      std::array<Rational, 12> rows = kernel::rows_of(scenes::random_rotation(random, 4, {far, Rational(1, 3), -far}));
+      const bool rounded = scenes::integer(random, 0, 1) == 0;
+      for (Rational& x : rows) x = rounded ? Rational(kernel::nearest_double(x * size)) : Rational(x * size);
+      p = Pose(rows);
+    }
+    const tetratree::Common_frame frame = tetratree::common_frame(pose[0], scale, pose[1]);
+    std::array<std::array<Rational, 12>, 2> off;
+    for (std::size_t body = 0; body < 2; ++body)
+      for (int k = 0; k < 12; ++k)
+        off[body][k] = pose[body].exact(k) - kernel::times_power(frame.pose[body].exact(k), frame.exponent);
+    BOOST_TEST((off[0] == off[1]));
+    for (int k = 0; k < 12; ++k)
+      if (k % 4 != 3) BOOST_TEST(off[0][k] == 0);
+    for (std::size_t body = 0; body < 2; ++body)
+      BOOST_TEST((pose[body].is_rational() || !frame.pose[body].is_rational()));
+    moved += off[0] != std::array<Rational, 12>{};
+    scaled += frame.exponent != 0;
+  }
+  BOOST_TEST(moved > 500);
+  BOOST_TEST(scaled > 300);
+}
+
+BOOST_AUTO_TEST_CASE(a_far_place_or_an_extreme_size_widens_no_bracket)
+{
+  const Body body(scenes::cube_with_tunnel());
+  Query query{body, body};
+  const auto pose = [](double far, const std::array<double, 3>& aside, int exponent) {
+    const double size = std::ldexp(1.0, exponent);
+    std::array<double, 12> rows = {size, 0, 0, 0, 0, size, 0, 0, 0, 0, size, 0};
+    for (std::size_t k = 0; k < 3; ++k) rows[4 * k + 3] = (far + aside[k]) * size;
+    return Pose(rows);
+  };
+  const auto asked = [&](double far, int exponent) {
+    return checked(query, pose(far, {}, exponent), pose(far, {0.25, -0.125, 0.5}, exponent), {1e-9, 200});
+  };
+  const Depth near = asked(0, 0);
+  BOOST_TEST(near.low > 0.1);
+  for (const double far : {0x1p30, -0x1p49})
+    for (const int exponent : {0, -220, 300, 900, -1000}) {
+      const Depth depth = asked(far, exponent);
+      BOOST_TEST(depth.low <= std::ldexp(near.high, exponent));
+      BOOST_TEST(depth.low >= std::ldexp(near.low, exponent) * 0.99);
+      BOOST_TEST(depth.high == std::ldexp(near.high, exponent));
+      const std::array<std::string, 3> along = {"1", "1/3", "2/7"};
+      const Exits exits = query.exits(pose(far, {}, exponent), pose(far, {0.25, -0.125, 0.5}, exponent), along),
+                  of_near = query.exits(pose(0, {}, 0), pose(0, {0.25, -0.125, 0.5}, 0), along);
+      BOOST_TEST(Rational(exits.exact_first) == kernel::times_power(Rational(of_near.exact_first), exponent));
+      BOOST_TEST(Rational(exits.exact_last) == kernel::times_power(Rational(of_near.exact_last), exponent));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_width_is_refused)
