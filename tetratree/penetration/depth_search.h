@@ -307,7 +307,9 @@ class Depth_search {
     for (const auto& [of_b, ball] : open.near->balls) {
       double about = 0;
       const double sum = radius_sum(of_b, ball, open.box.centre, about);
-      if (about > 0 && sum * (1 - kernel::few_roundings) > half_diagonal) return {Reason::balls, {}};
+      // Outside the other solid, the ball holds a border point of it, and so inner points.
+      const bool is_sure = about > 0 || inner_[!of_b].is_border();
+      if (is_sure && sum * (1 - kernel::few_roundings) > half_diagonal) return {Reason::balls, {}};
       if (sum + half_diagonal > 0) near.balls.push_back({of_b, ball});
     }
     const double size = pairs_a_box * 2 * (open.box.half[0] + open.box.half[1] + open.box.half[2]);
@@ -354,9 +356,8 @@ class Depth_search {
     return std::nullopt;
   }
 
-  /// Returns the sum of two radii: of a ball inside a body, and of the largest ball about its centre inside the other
-  /// one. The second radius is written to `about`. A is translated. The sum is a lower bound where `about` is above 0,
-  /// else an estimate.
+  /// Returns a lower bound of the sum of the radius of a ball inside a body, and of the signed distance of its centre
+  /// in the other one, which is written to `about`. A is translated.
   double radius_sum(bool of_b, const Ball& ball, const std::array<double, 3>& translation, double& about)
   {
     std::array<double, 3> at = ball.centre;

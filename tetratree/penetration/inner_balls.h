@@ -51,14 +51,16 @@ inline std::vector<Ball> largest_balls(std::vector<Ball> balls, std::size_t most
 /// affine map x -> M x + t.
 ///
 /// A ball about an inner point has the distance to the surface as its radius, which `Bvh8_points` bounds. M makes a
-/// vector of length r at least r s long. With N the inverse of M, 1 / s^2 is the largest eigenvalue of N^T N. By
-/// Gershgorin's theorem that is no more than the largest sum of magnitudes in a row of N^T N. A centre's error shortens
-/// the radius. One object serves one thread.
+/// vector of length r at least r s and at most r S long. S^2 is the largest eigenvalue of M^T M; with N the inverse of
+/// M, 1 / s^2 is that of N^T N. By Gershgorin's theorem an eigenvalue is no more than the largest sum of magnitudes in
+/// a row. A centre's error shortens the radius. One object serves one thread.
 class Inner_balls {
  public:
-  /// Finds the balls that stand for the solid, at points of a grid. Requires a closed surface, and the tree and the
-  /// locator of one body. Both must outlive this object.
-  Inner_balls(const Bvh8& tree, const Point_locator& locator) : locator_(&locator), points_(tree)
+  /// Finds the balls that stand for the solid, at points of a grid. `is_border` says that inner points of the solid are
+  /// as near as one likes to each point of the surface, as in `Solid_sides::is_simple`. Requires a closed surface, and
+  /// the tree and the locator of one body. Both must outlive this object.
+  Inner_balls(const Bvh8& tree, const Point_locator& locator, bool is_border)
+      : is_border_(is_border), locator_(&locator), points_(tree)
   {
     std::array<double, 3> low, high;
     low.fill(HUGE_VAL);
@@ -97,16 +99,25 @@ class Inner_balls {
         inverse_[i][j] = kernel::nearest_double(view.inverse_row(i)[j]);
       }
     }
-    double most = 0;  // upper bound of 1 / s^2
-    for (std::size_t i = 0; i < 3; ++i) {
-      kernel::Interval row = 0;
-      for (std::size_t j = 0; j < 3; ++j) row += CGAL::abs(n[0][i] * n[0][j] + n[1][i] * n[1][j] + n[2][i] * n[2][j]);
-      most = kernel::maximum(most, row.sup());
-    }
+    // Returns an upper bound of the largest eigenvalue of the transpose of a matrix times the matrix.
+    const auto largest = [](const auto& entry) {
+      double most = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        kernel::Interval row = 0;
+        for (std::size_t j = 0; j < 3; ++j)
+          row += CGAL::abs(entry(0, i) * entry(0, j) + entry(1, i) * entry(1, j) + entry(2, i) * entry(2, j));
+        most = kernel::maximum(most, row.sup());
+      }
+      return most;
+    };
+    const auto is_in_range = [](double x) { return x >= 0x1p-400 && x <= 0x1p400; };
+    const double most = largest([&](std::size_t i, std::size_t j) { return n[i][j]; }),
+                 stretch = largest([&](std::size_t i, std::size_t j) { return m[4 * i + j]; });
     seen_.clear();
     scale_ = 0;
-    if (!(most >= 0x1p-400 && most <= 0x1p400)) return;
+    if (!is_in_range(most) || !is_in_range(stretch)) return;
     scale_ = (kernel::Interval(1) / CGAL::sqrt(kernel::Interval(most))).inf();
+    stretch_ = CGAL::sqrt(kernel::Interval(stretch)).sup();
     for (const Ball& ball : own_) {
       Ball image;
       double error = 0;
@@ -124,9 +135,12 @@ class Inner_balls {
   /// Returns the balls that stand for the solid, in the view. There is none where the view has no bound.
   const std::vector<Ball>& seen() const { return seen_; }
 
-  /// Returns a lower bound of the radius of the largest ball inside the solid about a point, both in the view. A result
-  /// of 0 or less does not tell that the point is not inside. It is minus an estimate of the distance to the surface,
-  /// or 0 where nothing is known. Requires that `see` was called.
+  /// True if inner points of the solid are as near as one likes to each point of the surface.
+  bool is_border() const { return is_border_; }
+
+  /// Returns a lower bound of the signed distance of a point to the surface, both in the view. Above 0 it is the radius
+  /// of a ball inside the solid. Below 0 it is minus an upper bound of the distance, and the point may be anywhere. It
+  /// is -inf where nothing is known. Requires that `see` was called.
   double radius_about(const std::array<double, 3>& point)
   {
     covering::Vertex own;
@@ -139,27 +153,34 @@ class Inner_balls {
         magnitude += std::abs(inverse_[i][j]) * (std::abs(point[j]) + std::abs(shift_[j]));
       }
       error += magnitude * kernel::few_roundings + kernel::underflow_slack;
-      if (!(magnitude <= 0x1p200)) return 0;
+      if (!(magnitude <= 0x1p200)) return -HUGE_VAL;
     }
-    return scale_ * (signed_distance(own) - error) * (1 - kernel::few_roundings);
+    if (scale_ == 0) return -HUGE_VAL;
+    // A signed distance changes by no more than the point moves.
+    const double distance = signed_distance(own) - error;
+    return distance > 0 ? scale_ * distance * (1 - kernel::few_roundings)
+                        : stretch_ * distance * (1 + kernel::few_roundings) - kernel::underflow_slack;
   }
 
  private:
-  /// Returns a lower bound of the distance to the surface, with the other sign for a point that is not inside.
+  /// Returns a lower bound of the signed distance to the surface, which is above 0 for a point inside.
   double signed_distance(const covering::Vertex& x)
   {
-    const double distance = points_.lower_bound(x) * (1 - kernel::few_roundings);
-    return locator_->locate(x) == covering::Location::inside ? distance : -distance;
+    const auto [low, high] = points_.bounds(x);
+    return locator_->locate(x) == covering::Location::inside
+               ? low * (1 - kernel::few_roundings)
+               : -(high * (1 + kernel::few_roundings) + kernel::underflow_slack);
   }
 
   static constexpr int grid = 16;                // points along the longest side of the solid's box
   static constexpr std::size_t most_balls = 64;  // that stand for the solid
   static constexpr double least_share = 0.125;   // of a ball's radius, by which others stick out
 
+  bool is_border_;
   const Point_locator* locator_;
   Bvh8_points points_;
-  std::vector<Ball> own_, seen_;  // in the body's coordinates, and in the view
-  double scale_ = 0;              // s
+  std::vector<Ball> own_, seen_;    // in the body's coordinates, and in the view
+  double scale_ = 0, stretch_ = 0;  // s, 0 where nothing is known; and S
   std::array<std::array<double, 3>, 3> inverse_{};
   std::array<double, 3> shift_{};
 };

@@ -77,14 +77,14 @@ class Bvh8_points {
     }
   }
 
-  /// Returns a lower bound of the distance, or what exceeds one by few roundings (`kernel::few_roundings`); 0 where
-  /// coordinates are too large to bound. Requires finite coordinates.
-  double lower_bound(const covering::Vertex& x)
+  /// Returns a lower and an upper bound of the distance, each up to few roundings (`kernel::few_roundings`) of it. They
+  /// are 0 and infinite where coordinates are too large to bound. Requires finite coordinates.
+  std::array<double, 2> bounds(const covering::Vertex& x)
   {
     search(x, 0);
     double low = std::numeric_limits<double>::infinity();
     for (const Candidate& c : candidates_) low = kernel::minimum(low, c.low);
-    return low * tree_->scale().unit;
+    return {low * tree_->scale().unit, high_ * tree_->scale().unit};
   }
 
   /// Returns the nearest point by rationals.

@@ -123,8 +123,10 @@ class Bvh8_relation_solver : public Relation_solver {
     }
     if (!depth_search_) {
       const Body_data &a = body_[0]->by_triangles(), &b = body_[1]->by_triangles();
-      depth_search_.emplace(seen(a), seen(b), tetratree::Inner_balls(a.bvh8(), a.point_locator()),
-                            tetratree::Inner_balls(b.bvh8(), b.point_locator()));
+      const auto inner = [](const Body_data& body) {
+        return tetratree::Inner_balls(body.bvh8(), body.point_locator(), body.solid_sides().is_simple());
+      };
+      depth_search_.emplace(seen(a), seen(b), inner(a), inner(b));
     }
     const tetratree::Common_frame frame = common_frame(pose_a, pose_b);
     const auto exit = [&](const kernel::Rational_point& direction) {

@@ -254,6 +254,44 @@ BOOST_AUTO_TEST_CASE(a_far_place_or_an_extreme_size_widens_no_bracket)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_sheet_outside_a_solid_holds_nothing)
+{
+  Polyhedron with_sheet = scenes::unit_cube();
+  const Index first = Index(with_sheet.vertices.size());
+  using covering::Vertex;
+  for (const Vertex& v : {Vertex{1.0625, -1, 0.5}, Vertex{5, -1, 0.5}, Vertex{5, 2, 0.5}, Vertex{1.0625, 2, 0.5}})
+    with_sheet.vertices.push_back(v);
+  with_sheet.add_polygon({first, first + 1, first + 2, first + 3});
+  with_sheet.add_polygon({first + 3, first + 2, first + 1, first});
+  const Pose turned = Pose::from_quaternion(5, 1, 2, 3),
+             aside = kernel::moved_along(turned, turned, {Rational(11, 16), Rational(1, 8), 0}, 1)[0];
+  const Depth with = depth_of(scenes::unit_cube(), with_sheet, aside, turned, {1e-6, 3000}),
+              without = depth_of(scenes::unit_cube(), scenes::unit_cube(), aside, turned);
+  BOOST_TEST(without.is_exact);
+  BOOST_TEST(without.high < 0.6);
+  BOOST_TEST(with.low <= without.high);
+  BOOST_TEST(with.high >= without.low);
+}
+
+BOOST_AUTO_TEST_CASE(aligned_faces_have_narrow_brackets)
+{
+  // A bend of three cubes, in triangles.
+  Polyhedron triangles;
+  triangles.vertices = scenes::prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1).vertices;
+  for (const std::array<Index, 3>& t : {std::array<Index, 3>{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 5, 4}}) {
+    triangles.add_polygon({t[0], t[1], t[2]});
+    triangles.add_polygon({t[0] + 6, t[2] + 6, t[1] + 6});
+  }
+  for (Index k = 0; k < 6; ++k) {
+    const Index next = (k + 1) % 6;
+    triangles.add_polygon({k, next, next + 6});
+    triangles.add_polygon({k, next + 6, k + 6});
+  }
+  const Depth depth = depth_of(triangles, triangles, Pose(), scenes::translation(0.25, -0.125, 0.5), {1e-9, 1000});
+  BOOST_TEST(depth.exact_square == "1/4");
+  BOOST_TEST(depth.low >= 0.5 * (1 - 1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(what_is_no_width_is_refused)
 {
   Query query{Body(scenes::unit_cube()), Body(scenes::unit_cube())};

@@ -30,7 +30,7 @@ namespace {
 /// A body, and balls inside it.
 struct Filled {
   explicit Filled(const Polyhedron& body)
-      : tree(body, tetracone::covering::star_faces(body)), locator(tree.model()), balls(tree, locator)
+      : tree(body, tetracone::covering::star_faces(body)), locator(tree.model()), balls(tree, locator, true)
   {}
 
   const std::vector<Ball>& seen(const Pose& pose)
@@ -100,19 +100,26 @@ BOOST_AUTO_TEST_CASE(views_keep_balls_inside)
     BOOST_TEST(filled.seen(pose).size() == count);
     BOOST_TEST(count_wrong(filled.seen(pose), there) == 0);
     // Balls about any points.
+    const verify::Nearest_truth nearest(there);
     std::vector<Ball> about;
-    int outside = 0;
+    int outside = 0, too_near = 0, far = 0;
     for (int round = 0; round < 200; ++round) {
       const Vertex x = scenes::real_vertex(random, 3.5);
       Ball ball;
       const auto at = verify::rationals::image(pose, verify::rationals::exactly(x));
       for (std::size_t k = 0; k < 3; ++k) ball.centre[k] = at[k].get_d();
       ball.radius = filled.balls.radius_about(ball.centre);
-      if (ball.radius > 0)
+      const Rational square = nearest(verify::rationals::exactly(ball.centre)).first, bound = ball.radius;
+      if (ball.radius > 0) {
         about.push_back(ball);
-      else
+      } else {
         ++outside;
+        too_near += bound * bound < square;
+        far += bound * bound > 64 * square;
+      }
     }
+    BOOST_TEST(too_near == 0);
+    BOOST_TEST(far < outside / 4);
     BOOST_TEST(outside > 20);
     BOOST_TEST(about.size() > 50U);
     BOOST_TEST(count_wrong(about, there) == 0);

@@ -41,8 +41,11 @@ class Judge {
   bool is_right(const Vertex& x)
   {
     const auto& [square, nearest] = truth_(exact(x));
-    const Rational low = points_.lower_bound(x);
-    if (low < 0 || low * low > square) return false;
+    const auto [least, most] = points_.bounds(x);
+    const Rational low = least;
+    if (low < 0 || low * low > square || !(most >= least)) return false;
+    if (const Rational high = std::isfinite(most) ? Rational(most) : low; std::isfinite(most) && high * high < square)
+      return false;
     if (const auto found = points_.by_enclosures(x)) {
       ++by_enclosures;
       if (nearest.size() != 1 || found->distance != kernel::nearest_root(square)) return false;
