@@ -356,8 +356,8 @@ class Depth_search {
     return std::nullopt;
   }
 
-  /// Returns a lower bound of a sum: the radius of a ball inside a body, and the signed distance of its centre in the
-  /// other one. The latter is written to `about`. A is translated.
+  /// Returns a lower bound of a sum: the radius of a ball inside a body, and the signed distance of its centre in
+  /// the other. The latter is written to `about`. A is translated.
   double radius_sum(bool of_b, const Ball& ball, const std::array<double, 3>& translation, double& about)
   {
     std::array<double, 3> at = ball.centre;
