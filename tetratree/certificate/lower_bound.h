@@ -46,7 +46,7 @@ class Numbered_triangles {
 
   /// Return what searches for exits and depths need of the body.
   Seen_solid seen() const { return {body_->bvh8(), body_->polyhedron, body_->solid_sides()}; }
-  Inner_balls balls() const { return {body_->bvh8(), body_->point_locator()}; }
+  Inner_balls balls() const { return {body_->bvh8(), body_->point_locator(), body_->solid_sides().is_simple()}; }
 
   /// Returns a triangle at a pose.
   kernel::Rational_face face(Index triangle, const kernel::Pose& pose) const
