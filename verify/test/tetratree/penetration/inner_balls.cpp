@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(views_keep_balls_inside)
       const auto at = verify::rationals::image(pose, verify::rationals::exactly(x));
       for (std::size_t k = 0; k < 3; ++k) ball.centre[k] = at[k].get_d();
       ball.radius = filled.balls.radius_about(ball.centre);
-      const Rational square = nearest(verify::rationals::exactly(ball.centre)).first, bound = ball.radius;
+      const Rational square = nearest({ball.centre[0], ball.centre[1], ball.centre[2]}).first, bound = ball.radius;
       if (ball.radius > 0) {
         about.push_back(ball);
       } else {
