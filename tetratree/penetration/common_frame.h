@@ -25,8 +25,8 @@ struct Common_frame {
 /// exponent is 0 unless A is smaller than 2^-100 or larger than 2^100.
 inline Common_frame common_frame(const kernel::Pose& a, const kernel::Local_scale& scale_of_a, const kernel::Pose& b)
 {
-  constexpr double much = 0x1p10;
-  constexpr int usual = 100;
+  constexpr double much = 0x1p10;  // by which a translation exceeds A's reach where it is taken off
+  constexpr int usual = 100;       // the largest exponent of a size that is left as it is
   std::array<double, 3> t = {};
   double largest = 0;
   for (std::size_t i = 0; i < 3; ++i) {

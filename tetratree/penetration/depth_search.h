@@ -65,8 +65,8 @@ struct Depth_limits {
 /// nearest to 0 first. A box is done where the shortest translation that is not in P is not in it:
 ///
 /// - A ball inside A overlaps a ball inside B for all translations of the box. One of the two stands for its body. The
-///   other is the largest about the first one's centre (`Inner_balls`). Instead, the first may hold a point of the
-///   other body's border for all translations, as that body has inner points beside it.
+///   other is the largest about the first one's centre (`Inner_balls`). Instead, the first may hold a border
+///   point of the other body, beside which that body has inner points.
 /// - Two pieces, as of `Seen_solid`, cross for all translations inside their `Crossing_polytope`; so these are in P.
 /// - No two pieces meet for any translation of the box. The shortest translation that is not in P is on the border of
 ///   P, since 0 is in P. There the surfaces touch.

@@ -109,10 +109,12 @@ class Bvh8_points {
 
   /// A node whose boxes are known.
   struct Open {
+    /// The squares are to be set.
+    Open(Index n, int count) : node(n), left((1u << count) - 1) {}
+
     Index node;
-    unsigned left;                                                  // bits: its boxes that are not yet looked into
-    kernel::Lane_squares squares;                                   // those of its boxes
-    Open(Index n, int count) : node(n), left((1u << count) - 1) {}  // squares are set when they are known
+    unsigned left;  // bits: its boxes that are not yet looked into
+    kernel::Lane_squares squares;
   };
   /// What a search does next. The memory for it is being prefetched.
   enum class Step { open, find_corners, compare };

@@ -44,8 +44,7 @@ class Judge {
     const auto [least, most] = points_.bounds(x);
     const Rational low = least;
     if (low < 0 || low * low > square || !(most >= least)) return false;
-    if (const Rational high = std::isfinite(most) ? Rational(most) : low; std::isfinite(most) && high * high < square)
-      return false;
+    if (std::isfinite(most) && Rational(most) * Rational(most) < square) return false;
     if (const auto found = points_.by_enclosures(x)) {
       ++by_enclosures;
       if (nearest.size() != 1 || found->distance != kernel::nearest_root(square)) return false;
