@@ -44,7 +44,7 @@ void write_certificate(const std::string& file, const Certificate& certificate)
 {
   write_whole(file, certificate.text());
   if (certificate.without_proof() > 0)
-    std::cerr << file << ": " << certificate.without_proof() << " answers have no proof and are left out\n";
+    std::cerr << file << ": without a proof, and left out: " << certificate.without_proof() << " answers\n";
 }
 
 Certificate certificate_of(const Model_file& model)

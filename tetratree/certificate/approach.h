@@ -36,7 +36,7 @@ class Approach {
   {
     if (y == x_) return false;
     const kernel::Exact_vector start = exact(y, by_), end = exact(x_, by_);
-    const auto row = winding_row(pair_, int(holder_), "\"point\":" + strings_of(y), start);
+    const auto row = winding_row(pair_, int(holder_), "\"point\":" + strings_of(pair_.written(y)), start);
     if (!row || (row->second != 0) != is_inside) return false;
     Probe_cover cover(pair_.body[holder_], Probe{start, end, {}});
     const bool is_free = cover([&](Box_id, const kernel::Exact_face& f, bool) {
@@ -89,7 +89,7 @@ inline bool add_border(std::string& text, const Placed_pair& pair, int inner, co
   add_key(text, "border");
   text += "{\"face\":" + std::to_string(pair.source_faces(met.piece)[std::size_t(inner)]);
   add_key(text, "point");
-  text += strings_of(x);
+  text += strings_of(pair.written(x));
   add_key(text, "outside");
   if (!add_approach(text, pair, std::size_t(1 - inner), x, false)) return false;
   text += '}';
@@ -180,7 +180,7 @@ inline bool add_from_crossing(std::string& text, const Placed_pair& pair, const 
         }
         std::string both = "{";
         add_key(both, "point");
-        both += strings_of(x);
+        both += strings_of(pair.written(x));
         add_key(both, "in_a");
         if (!of_a(both, in_a, true)) continue;
         add_key(both, "in_b");
@@ -208,7 +208,7 @@ inline bool add_just_before(std::string& text, Placed_pair pair, const kernel::R
     for (const std::size_t k : {1, 0}) {  // the body of the segment along the direction
       std::string both = "{";
       add_key(both, "point");
-      both += strings_of(x);
+      both += strings_of(pair.written(x));
       add_key(both, k == 0 ? "in_a" : "in_b");
       if (!add_approach(both, pair, k, x, true, ahead[k])) continue;
       add_key(both, k == 0 ? "in_b" : "in_a");

@@ -96,28 +96,30 @@ Depth Certificate::depth(Query& query, const kernel::Pose& pose_a, const kernel:
 
 std::size_t Certificate::without_proof() const { return data_->without_proof; }
 
-void Certificate::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer)
+bool Certificate::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer)
 {
-  data_->collide(pose_a, pose_b, question, answer, {});
+  return data_->collide(pose_a, pose_b, question, answer, {});
 }
 
-void Certificate::Data::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+bool Certificate::Data::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
                                 Relation answer, const std::optional<tetratree::Box_ids>& leaves)
 {
-  std::string text = begin("collide", pose_a, pose_b, question) + json_text(kernel::to_string(answer));
-  Placed_pair pair = placed(pose_a, pose_b);
-  if (answer == Relation::surfaces && leaves)
-    if (const auto met = pair.common(*leaves)) {
-      add_common(text, pair, *met);
-      return keep(std::move(text));
-    }
-  const bool shares_none = !cover_or_meet(text, pair);
-  if (shares_none != (answer != Relation::surfaces)) fail_proof("the answer is not proved: surfaces");
-  if (shares_none && question == Question::solid &&
-      !(answer == Relation::apart ? add_all_windings(text, pair)
-                                  : add_one_winding(text, pair, answer == Relation::a_in_b ? 0 : 1)))
-    fail_proof("the answer is not proved: shells");
-  keep(std::move(text));
+  return add(begin("collide", pose_a, pose_b, question), [&](std::string& text) {
+    text += json_text(kernel::to_string(answer));
+    Placed_pair pair = placed(pose_a, pose_b);
+    if (answer == Relation::surfaces && leaves)
+      if (const auto met = pair.common(*leaves)) {
+        add_common(text, pair, *met);
+        return true;
+      }
+    const bool shares_none = !cover_or_meet(text, pair);
+    if (shares_none != (answer != Relation::surfaces)) fail_proof("the answer is not proved: surfaces");
+    if (shares_none && question == Question::solid &&
+        !(answer == Relation::apart ? add_all_windings(text, pair)
+                                    : add_one_winding(text, pair, answer == Relation::a_in_b ? 0 : 1)))
+      fail_proof("the answer is not proved: shells");
+    return true;
+  });
 }
 
 Index Certificate::Data::face_of(std::size_t body, const Holder& holder) const
@@ -164,28 +166,32 @@ void Certificate::Data::at_least_apart(std::string& text, const kernel::Pose& po
   if (question == Question::solid && !add_all_windings(text, pair)) fail_proof("one solid holds a part of the other");
 }
 
-void Certificate::distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+bool Certificate::distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
                            const Nearest& nearest)
 {
-  std::string text = data_->begin("distance", pose_a, pose_b, question) + json_text(nearest.squared);
-  data_->together(text, pose_a, pose_b, nearest);
-  if (const Rational square(nearest.squared); square != 0)
-    data_->at_least_apart(text, pose_a, pose_b, question, square, true, nearest);
-  data_->keep(std::move(text));
+  return data_->add(Data::begin("distance", pose_a, pose_b, question), [&](std::string& text) {
+    text += json_text(nearest.squared);
+    data_->together(text, pose_a, pose_b, nearest);
+    if (const Rational square(nearest.squared); square != 0)
+      data_->at_least_apart(text, pose_a, pose_b, question, square, true, nearest);
+    return true;
+  });
 }
 
-void Certificate::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+bool Certificate::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
                          const std::string& limit, bool answer, const Nearest& nearest)
 {
-  std::string text = data_->begin("within", pose_a, pose_b, question) + (answer ? '1' : '0');
-  add_key(text, "limit");
-  text += json_text(limit);
-  const Rational exact_limit = Data::parsed(limit);
-  if (answer)
-    data_->together(text, pose_a, pose_b, nearest);
-  else if (sgn(exact_limit) >= 0)
-    data_->at_least_apart(text, pose_a, pose_b, question, exact_limit * exact_limit, false, nearest);
-  data_->keep(std::move(text));
+  return data_->add(Data::begin("within", pose_a, pose_b, question), [&](std::string& text) {
+    text += answer ? '1' : '0';
+    add_key(text, "limit");
+    text += json_text(limit);
+    const Rational exact_limit = Data::parsed(limit);
+    if (answer)
+      data_->together(text, pose_a, pose_b, nearest);
+    else if (sgn(exact_limit) >= 0)
+      data_->at_least_apart(text, pose_a, pose_b, question, exact_limit * exact_limit, false, nearest);
+    return true;
+  });
 }
 
 std::string Certificate::Data::text_of(const Part& part) const

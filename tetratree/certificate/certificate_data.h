@@ -5,6 +5,7 @@
 #include "tetracone/tetratree/certificate/placed_pair.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/certificate.h"
+#include "tetracone/tetratree/penetration/common_frame.h"
 
 #include <array>
 #include <cstddef>
@@ -65,11 +66,15 @@ struct Certificate::Data {
     return {tetratree::Numbered_triangles(*parts[0].body, *a), tetratree::Numbered_triangles(*parts[1].body, *b)};
   }
 
-  /// Returns both bodies at their poses. Throws as `groups`, and where floating point is not sound.
+  /// Returns both bodies at their poses, relative to an origin near them if they are far from 0. There the search in
+  /// doubles finds more. Throws as `groups`, and where floating point is not sound.
   tetratree::Placed_pair placed(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
   {
     kernel::require_sound_floating_point();
-    return {groups(), {pose_a, pose_b}};
+    const auto trees = groups();
+    const auto frame = tetratree::common_frame(pose_a, trees[0]->tree().scale(), pose_b);
+    if (frame.exponent != 0) return {trees, {pose_a, pose_b}};
+    return {trees, frame.pose, frame.origin};
   }
 
   /// Returns the only body. Throws Error for a certificate of two bodies, and where floating point is not sound.
@@ -98,23 +103,27 @@ struct Certificate::Data {
     return text;
   }
 
-  /// Adds an answer.
-  void keep(std::string answer)
+  /// Adds an answer, to whose text write(text) appends the rest. True when write() does, which says that the answer is
+  /// proved. Else the answer is counted and left out, as one is whose proof needs triangles that a face lacks.
+  template <class Write>
+  bool add(std::string text, const Write& write)
   {
-    rows.push_back(answers.size() + without_proof);
-    answers.push_back(std::move(answer));
-  }
-
-  /// Counts an answer that has no proof. Returns false.
-  bool leave_out()
-  {
+    try {
+      if (write(text)) {
+        rows.push_back(answers.size() + without_proof);
+        answers.push_back(std::move(text));
+        return true;
+      }
+    } catch (const tetratree::Face_without_triangles&) {
+      // The loops of the face cross, and its hull touches what the face does not.
+    }
     ++without_proof;
     return false;
   }
 
-  /// Adds an answer. `leaves` is the pair of leaves at which the query found that the surfaces meet, if known. Throws
-  /// Error where the answer is not proved.
-  void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer,
+  /// Adds an answer, as `add` does. `leaves` is the pair of leaves at which the query found that the surfaces meet, if
+  /// known. Throws Error for a wrong answer.
+  bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer,
                const std::optional<tetratree::Box_ids>& leaves);
 
   /// Appends the nearest points and their faces, or a proof that one solid holds a shell of the other. Throws Error

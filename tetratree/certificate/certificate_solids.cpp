@@ -37,27 +37,26 @@ bool Certificate::Data::have_same_faces(const Placed_pair& pair) const
 bool Certificate::relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer)
 {
   using enum Solid_relation;
-  std::string text = Data::begin("relation", pose_a, pose_b) + tetratree::json_text(kernel::to_string(answer));
-  Placed_pair pair = data_->placed(pose_a, pose_b);
-  std::string surfaces = text;
-  const auto met = cover_or_meet(surfaces, pair);
-  const bool is_without = answer == disjoint || answer == inside || answer == contains;
-  if (!met != is_without) {
-    // Membranes within a solid may touch the other surface, and solids of several parts overlap without contact.
-    if (answer == inside || answer == contains || answer == overlap) return data_->leave_out();
-    tetratree::fail_proof("the answer is not proved: surfaces");
-  }
-  if (is_without) {
-    if (!add_all_windings(surfaces, pair, answer == inside, answer == contains))
-      tetratree::fail_proof("the answer is not proved: shells");
-    data_->keep(std::move(surfaces));
-    return true;
-  }
-  const auto is_proved = [&] {
+  return data_->add(Data::begin("relation", pose_a, pose_b), [&](std::string& text) {
+    text += tetratree::json_text(kernel::to_string(answer));
+    Placed_pair pair = data_->placed(pose_a, pose_b);
+    std::string surfaces = text;
+    const auto met = cover_or_meet(surfaces, pair);
+    const bool is_without = answer == disjoint || answer == inside || answer == contains;
+    if (!met != is_without) {
+      // Membranes within a solid may touch the other surface, and solids of several parts overlap without contact.
+      if (answer == inside || answer == contains || answer == overlap) return false;
+      tetratree::fail_proof("the answer is not proved: surfaces");
+    }
+    if (is_without || answer == meet) text = surfaces;
     switch (answer) {
-      case meet:
-        text = surfaces;
-        return add_parted(text, pair, met) && add_sides(text, pair, *met, {{true, false}, {false, true}});
+      case disjoint:
+      case inside:
+      case contains:
+        if (!add_all_windings(text, pair, answer == inside, answer == contains))
+          tetratree::fail_proof("the answer is not proved: shells");
+        return true;
+      case meet: return add_parted(text, pair, met) && add_sides(text, pair, *met, {{true, false}, {false, true}});
       case overlap: return add_sides(text, pair, *met, {{true, true}, {true, false}, {false, true}});
       case equal:
         if (data_->have_same_faces(pair)) return true;
@@ -75,10 +74,7 @@ bool Certificate::relation(const kernel::Pose& pose_a, const kernel::Pose& pose_
                add_sides(text, pair, *met, {{inner == 1, inner == 0}});
       }
     }
-  };
-  if (!is_proved()) return data_->leave_out();
-  data_->keep(std::move(text));
-  return true;
+  });
 }
 
 namespace {
@@ -96,114 +92,109 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
                         const std::array<std::string, 3>& direction, const Exits& answer)
 {
   const std::array<Rational, 2> exit = {Rational(answer.exact_first), Rational(answer.exact_last)};
-  std::string text = Data::begin("exit", pose_a, pose_b) + tetratree::strings_of(exit);
-  add_key(text, "direction");
-  tetratree::add_list(text, direction, [](const std::string& x) { return tetratree::json_text(x); });
-  Rational_point along;
-  for (std::size_t k = 0; k < 3; ++k) along[k] = Data::parsed(direction[k]);
-  const auto shifted = [&](const Rational& s) { return tetratree::moved({pose_a, pose_b}, kernel::scaled(along, s)); };
-  kernel::require_sound_floating_point();
-  Placed_pair first(data_->groups(), shifted(exit[0]));
-  if (!add_interiors_apart(text, first)) return data_->leave_out();
-  if (exit[0] == 0) {
-    data_->keep(std::move(text));
-    return true;
-  }
+  return data_->add(Data::begin("exit", pose_a, pose_b), [&](std::string& text) {
+    text += tetratree::strings_of(exit);
+    add_key(text, "direction");
+    tetratree::add_list(text, direction, [](const std::string& x) { return tetratree::json_text(x); });
+    Rational_point along;
+    for (std::size_t k = 0; k < 3; ++k) along[k] = Data::parsed(direction[k]);
+    Placed_pair start = data_->placed(pose_a, pose_b);
+    const auto shifted = [&](const Rational& s) { return tetratree::moved(start.pose, kernel::scaled(along, s)); };
+    Placed_pair first = start.at(shifted(exit[0]));
+    if (!add_interiors_apart(text, first)) return false;
+    if (exit[0] == 0) return true;
 
-  Placed_pair start = first.at({pose_a, pose_b});
-  const tetratree::Two_bodies bodies = data_->triangles();
-  tetratree::Points_of_both points_of_both(bodies);
-  if (!points_of_both(text, start)) return data_->leave_out();
-  // Beyond `until`, a plane across the direction is between the bodies.
-  const Placed_pair last = first.at(shifted(exit[1]));
-  const kernel::Exact_vector across = tetratree::exact(tetratree::in_lowest_terms(along), 1);
-  const kernel::Exact_number between =
-      kernel::extent(last.body[1].hull({}), across, 1) - kernel::extent(last.body[0].hull({}), across, -1);
-  Rational until = Rational(between) / Rational(last.weight) / kernel::dot(tetratree::in_lowest_terms(along), along);
-  if (until <= 0) until = 1;
-  add_key(text, "gone");
-  text += "{\"until\":" + tetratree::json_text(kernel::to_string(until));
-  if (!leads_free(text, shifted(exit[1] + until), last, -1)) return data_->leave_out();
-  text += "}";
-  add_key(text, "before");
-  std::array<std::string, 2> before;
-  for (const std::size_t k : {0, 1}) {
-    std::string& row = before[k];
-    if (k == 1 && exit[0] == exit[1])
-      row = before[0];
-    else if (!add_just_before(row, k == 0 ? first : last, along, crossings_before(start, bodies, along, exit[k])))
-      return data_->leave_out();
-  }
-  tetratree::add_list(text, before, [](const std::string& row) { return row; });
-  add_stretches(text, start, bodies, points_of_both, along, exit[0]);
-  data_->keep(std::move(text));
-  return true;
+    const tetratree::Two_bodies bodies = data_->triangles();
+    tetratree::Points_of_both points_of_both(bodies);
+    if (!points_of_both(text, start)) return false;
+    // Beyond `until`, a plane across the direction is between the bodies.
+    const Placed_pair last = first.at(shifted(exit[1]));
+    const kernel::Exact_vector across = tetratree::exact(tetratree::in_lowest_terms(along), 1);
+    const kernel::Exact_number between =
+        kernel::extent(last.body[1].hull({}), across, 1) - kernel::extent(last.body[0].hull({}), across, -1);
+    Rational until = Rational(between) / Rational(last.weight) / kernel::dot(tetratree::in_lowest_terms(along), along);
+    if (until <= 0) until = 1;
+    add_key(text, "gone");
+    text += "{\"until\":" + tetratree::json_text(kernel::to_string(until));
+    if (!leads_free(text, shifted(exit[1] + until), last, -1)) return false;
+    text += "}";
+    add_key(text, "before");
+    std::array<std::string, 2> before;
+    for (const std::size_t k : {0, 1}) {
+      std::string& row = before[k];
+      if (k == 1 && exit[0] == exit[1])
+        row = before[0];
+      else if (!add_just_before(row, k == 0 ? first : last, along, crossings_before(start, bodies, along, exit[k])))
+        return false;
+    }
+    tetratree::add_list(text, before, [](const std::string& row) { return row; });
+    add_stretches(text, start, bodies, points_of_both, along, exit[0]);
+    return true;
+  });
 }
 
 bool Certificate::depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer)
 {
-  std::string text = Data::begin("depth", pose_a, pose_b) + tetratree::json_text(answer.exact_square);
-  Rational_point v;
-  for (std::size_t k = 0; k < 3; ++k) v[k] = Rational(answer.exact_vector[k]);
-  add_key(text, "vector");
-  text += tetratree::strings_of(v);
-  kernel::require_sound_floating_point();
-  Placed_pair apart(data_->groups(), tetratree::moved({pose_a, pose_b}, v));
-  if (!add_interiors_apart(text, apart)) return data_->leave_out();
-  if (answer.high > 0) {
+  return data_->add(Data::begin("depth", pose_a, pose_b), [&](std::string& text) {
+    text += tetratree::json_text(answer.exact_square);
+    Rational_point v;
+    for (std::size_t k = 0; k < 3; ++k) v[k] = Rational(answer.exact_vector[k]);
+    add_key(text, "vector");
+    text += tetratree::strings_of(v);
     Placed_pair pair = data_->placed(pose_a, pose_b);
-    const tetratree::Two_bodies bodies = data_->triangles();
-    tetratree::Lower_bound bound(pair, bodies);
-    bound(text, v, answer.is_exact ? 0 : 1 - answer.low / answer.high);
-  }
-  data_->keep(std::move(text));
-  return true;
+    Placed_pair apart = pair.at(tetratree::moved(pair.pose, v));
+    if (!add_interiors_apart(text, apart)) return false;
+    if (answer.high > 0) {
+      const tetratree::Two_bodies bodies = data_->triangles();
+      tetratree::Lower_bound bound(pair, bodies);
+      bound(text, v, answer.is_exact ? 0 : 1 - answer.low / answer.high);
+    }
+    return true;
+  });
 }
 
 bool Certificate::first_contact(const Motion& a, const Motion& b, Question question,
                                 const std::optional<First_contact>& answer)
 {
-  kernel::require_sound_floating_point();
-  std::string text = Data::begin("motion");
-  add_key(text, "question");
-  text += tetratree::json_text(kernel::to_string(question));
-  for (const auto& [name, motion] : {std::pair("a", &a.exact()), std::pair("b", &b.exact())})
-    for (std::size_t k = 0; k < 2; ++k) {
-      const std::string key = std::string(k == 0 ? "from_" : "to_") + name;
-      if (motion->ends())
-        tetratree::add_pose(text, key, (*motion->ends())[k]);
-      else
-        tetratree::add_rigid_pose(text, key, motion->rigid_ends()[k]);
+  return data_->add(Data::begin("motion"), [&](std::string& text) {
+    kernel::require_sound_floating_point();
+    add_key(text, "question");
+    text += tetratree::json_text(kernel::to_string(question));
+    for (const auto& [name, motion] : {std::pair("a", &a.exact()), std::pair("b", &b.exact())})
+      for (std::size_t k = 0; k < 2; ++k) {
+        const std::string key = std::string(k == 0 ? "from_" : "to_") + name;
+        if (motion->ends())
+          tetratree::add_pose(text, key, (*motion->ends())[k]);
+        else
+          tetratree::add_rigid_pose(text, key, motion->rigid_ends()[k]);
+      }
+    add_key(text, "answer");
+    if (answer)
+      tetratree::add_list(text, std::array{answer->lo, answer->hi},
+                          [](double t) { return tetratree::json_text(kernel::shortest(t)); });
+    else
+      text += "null";
+    tetratree::Moving_pair moving(data_->groups(), {a.exact(), b.exact()});
+    if (answer) {
+      std::string witness = "{";
+      if (cover_or_meet(witness, moving.at(answer->hi))) {
+        // The witness is the only key; its time stands first in it.
+        const std::string key = "\"witness\":{";
+        text += ",\"witness\":{\"time\":" + tetratree::json_text(kernel::to_string(Rational(answer->hi))) + "," +
+                witness.substr(1 + key.size());
+      } else if (answer->hi != 0 ||
+                 !(add_one_winding(text, moving.at(0), 0) || add_one_winding(text, moving.at(0), 1))) {
+        return false;
+      }
+      if (answer->hi == 0) return true;
     }
-  add_key(text, "answer");
-  if (answer)
-    tetratree::add_list(text, std::array{answer->lo, answer->hi},
-                        [](double t) { return tetratree::json_text(kernel::shortest(t)); });
-  else
-    text += "null";
-  tetratree::Moving_pair moving(data_->groups(), {a.exact(), b.exact()});
-  if (answer) {
-    std::string witness = "{";
-    if (cover_or_meet(witness, moving.at(answer->hi))) {
-      // The witness is the only key; its time stands first in it.
-      const std::string key = "\"witness\":{";
-      text += ",\"witness\":{\"time\":" + tetratree::json_text(kernel::to_string(Rational(answer->hi))) + "," +
-              witness.substr(1 + key.size());
-    } else if (answer->hi != 0 || !(add_one_winding(text, moving.at(0), 0) || add_one_winding(text, moving.at(0), 1))) {
-      return data_->leave_out();
-    }
-    if (answer->hi == 0) {
-      data_->keep(std::move(text));
-      return true;
-    }
-  }
-  tetratree::Motion_cover cover(moving, answer ? answer->lo : 1, answer && answer->lo == answer->hi);
-  if (!cover()) return data_->leave_out();
-  add_cover(text, cover.cover());
-  if (question == Question::solid && !add_all_windings(text, moving.at(0)))
-    tetratree::fail_proof("the answer is not proved: shells");
-  data_->keep(std::move(text));
-  return true;
+    tetratree::Motion_cover cover(moving, answer ? answer->lo : 1, answer && answer->lo == answer->hi);
+    if (!cover()) return false;
+    add_cover(text, cover.cover());
+    if (question == Question::solid && !add_all_windings(text, moving.at(0)))
+      tetratree::fail_proof("the answer is not proved: shells");
+    return true;
+  });
 }
 
 }  // namespace tetracone

@@ -207,11 +207,8 @@ struct Common_point {
   kernel::Exact_point point;
 };
 
-/// A face whose hull is not separated, though the face itself is: the face needs triangles.
-struct Face_without_triangles {
-  int body;
-  Index face;
-};
+/// Thrown for a face whose hull is not separated, though the face itself is. Only triangles would help.
+struct Face_without_triangles {};
 
 /// Covers the pairs of pieces of two placed bodies, or finds a pair that does not keep the rule. Each object covers
 /// once.
@@ -282,7 +279,7 @@ class Pair_cover {
     for (int k = 0; k < 2; ++k) {
       const Element& element = body_[k]->groups->piece_of(k == 0 ? a : b);
       if (element.is_whole_face() && body_[k]->groups->tree().model().covering().plane_basis(element.face))
-        throw Face_without_triangles{k, element.face};
+        throw Face_without_triangles{};
     }
     return false;
   }

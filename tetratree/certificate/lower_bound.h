@@ -93,7 +93,7 @@ inline bool add_point_of_both(std::string& text, Placed_pair& pair, const std::a
     for (const Ball& ball : of_body) {
       const kernel::Rational_point at = kernel::exact_point(ball.centre);
       const kernel::Exact_vector x = exact(at, kernel::Rational(pair.weight));
-      const std::string of = "\"point\":" + strings_of(at);
+      const std::string of = "\"point\":" + strings_of(pair.written(at));
       const auto in_a = winding_row(pair, 0, of, x), in_b = winding_row(pair, 1, of, x);
       if (!in_a || !in_b || in_a->second == 0 || in_b->second == 0) continue;
       add_windings(text, {in_a->first, in_b->first});
@@ -341,7 +341,7 @@ class Lower_bound {
     const kernel::Rational_point at = kernel::exact_point(ball.centre);
     const kernel::Rational weight(pair_->weight);
     const kernel::Exact_vector centre = exact(at, weight);
-    const auto row = winding_row(*pair_, int(body), "\"point\":" + strings_of(at), centre);
+    const auto row = winding_row(*pair_, int(body), "\"point\":" + strings_of(pair_->written(at)), centre);
     if (!row || row->second == 0) return false;
     const kernel::Exact_number radius = exact(kernel::Rational(ball.radius) * weight);
     const kernel::Gap_rule rule{radius * radius, 1, true, kernel::Exact_number(radius * pair_->rounding).to_double()};

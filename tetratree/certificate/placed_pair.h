@@ -45,27 +45,38 @@ inline Covered_body placed(Group_tree& groups, const kernel::Pose& pose, const k
   return {&groups, kernel::Hull_points(vertices, entry)};
 }
 
-/// Two placed bodies on one scale, A first.
+/// Two placed bodies on one scale, A first. Their coordinates are relative to a point, the origin.
 struct Placed_pair {
   using Poses = std::array<kernel::Pose, 2>;
 
   std::array<Covered_body, 2> body;
-  Poses pose;
+  Poses pose;                     ///< relative to the origin
+  kernel::Rational_point origin;  ///< where proofs write points and poses, it is added to them
   kernel::Exact_number weight;    ///< the factor of all coordinates
   kernel::Exact_number rounding;  ///< a further factor of the rounded ones
   Random_integers random;         ///< for searches with this pair
 
-  /// The bodies at these poses. The groups must outlive this object.
-  Placed_pair(const std::array<Group_tree*, 2>& groups, const Poses& poses)
+  /// The bodies at these poses, which are relative to `about`. The groups must outlive this object.
+  Placed_pair(const std::array<Group_tree*, 2>& groups, const Poses& poses, kernel::Rational_point about = {})
       : body{placed(*groups[0], poses[0], poses[1], 1), placed(*groups[1], poses[1], poses[0], 1)},
         pose(poses),
+        origin(std::move(about)),
         weight(poses[0].weight() * poses[1].weight()),
         rounding(kernel::round_together(body[0].points, body[1].points))
   {}
 
   std::array<Group_tree*, 2> groups() const { return {body[0].groups, body[1].groups}; }
-  /// Returns the bodies at other poses.
-  Placed_pair at(const Poses& poses) const { return {groups(), poses}; }
+  /// Returns the bodies at other poses, relative to the same origin.
+  Placed_pair at(const Poses& poses) const { return {groups(), poses, origin}; }
+
+  /// Return a point, and a pose, as proofs write them.
+  kernel::Rational_point written(const kernel::Rational_point& x) const { return kernel::sum(x, origin); }
+  kernel::Pose written(const kernel::Pose& relative) const
+  {
+    std::array<kernel::Rational, 12> rows = kernel::rows_of(relative);
+    for (std::size_t k = 0; k < 3; ++k) rows[4 * k + 3] += origin[k];
+    return kernel::Pose(rows);
+  }
 
   /// Returns the faces of the file of which the pieces are parts.
   std::array<Index, 2> source_faces(const std::array<Box_id, 2>& piece) const
@@ -92,33 +103,22 @@ struct Placed_pair {
 /// Appends a common point as a witness.
 inline void add_common(std::string& text, const Placed_pair& pair, const Common_point& common)
 {
-  const kernel::Rational_point x = rational(common.point, pair.weight);
+  const kernel::Rational_point x = pair.written(rational(common.point, pair.weight));
   add_witness(text, {x, x}, pair.source_faces(common.piece));
 }
 
-/// Throws Error, which names a face of the tree that has no triangles.
-[[noreturn]] inline void refuse_whole(const Group_tree& groups, Index face)
-{
-  fail_proof("face " + std::to_string(groups.source_face(face)) +
-             " has no triangles; expected a face whose loops don't cross");
-}
-
 /// Appends a cover of the pair and returns nothing, or appends a witness and returns a point that the surfaces share.
-/// `preferred` is a direction to try first. Throws Error for a face that lacks triangles, and for faces that are apart
-/// but break the rule.
+/// `preferred` is a direction to try first. Throws Face_without_triangles, and Error for faces that are apart but break
+/// the rule.
 inline std::optional<Common_point> cover_or_meet(std::string& text, Placed_pair& pair,
                                                  const kernel::Gap_rule& rule = {},
                                                  const std::optional<kernel::Exact_vector>& preferred = {})
 {
   Pair_cover cover(pair.body[0], pair.body[1], rule);
   if (preferred) cover.prefer(*preferred);
-  try {
-    if (cover()) {
-      add_cover(text, cover.cover());
-      return std::nullopt;
-    }
-  } catch (const Face_without_triangles& found) {
-    refuse_whole(*pair.body[std::size_t(found.body)].groups, found.face);
+  if (cover()) {
+    add_cover(text, cover.cover());
+    return std::nullopt;
   }
   if (!cover.common()) fail_proof("two faces are nearer than the answer");
   add_common(text, pair, *cover.common());

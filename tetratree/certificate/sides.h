@@ -68,7 +68,7 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
   const auto pieces = pair.faces(met.piece);
   std::vector<std::string> rows;
   const auto try_point = [&](const kernel::Exact_vector& x) {
-    const std::string of = "\"point\":" + strings_of(rational(kernel::Exact_point{x}, pair.weight));
+    const std::string of = "\"point\":" + strings_of(pair.written(rational(kernel::Exact_point{x}, pair.weight)));
     const auto in_a = winding_row(pair, 0, of, x), in_b = winding_row(pair, 1, of, x);
     if (!in_a || !in_b || std::erase(wanted, Sides{in_a->second != 0, in_b->second != 0}) == 0) return;
     rows.push_back(in_a->first);

@@ -65,7 +65,8 @@ inline std::vector<Start> starts_of_ways(Placed_pair& pair, int inside, const Co
     for (std::size_t e = 0; e < 12; ++e) {
       entries[e] = factor * pair.pose[k].exact(int(e));
       if (e % 4 == 3) entries[e] += shift[e / 4];
-      if (!std::isfinite(kernel::nearest_double(entries[e]))) return;
+      const kernel::Rational as_written = e % 4 == 3 ? entries[e] + pair.origin[e / 4] : entries[e];
+      if (!std::isfinite(kernel::nearest_double(as_written))) return;
     }
     starts.emplace_back(k, kernel::Pose(entries));
   };
@@ -95,7 +96,7 @@ inline bool add_way(std::string& text, Placed_pair& pair, int inside, const Comm
     Placed_pair::Poses start = pair.pose;
     start[mover] = from;
     std::string row = text + "{\"of\":\"" + (mover == 0 ? 'a' : 'b') + '"';
-    add_pose(row, "pose", from);
+    add_pose(row, "pose", pair.written(from));
     if (!leads_free(row, start, pair, inside)) continue;
     text = row + '}';
     return true;
@@ -118,7 +119,7 @@ inline bool add_parted(std::string& text, Placed_pair& pair, const std::optional
   add_key(text, "way");
   if (met) return add_way(text, pair, -1, *met);
   text += "{\"of\":\"a\"";
-  add_pose(text, "pose", pair.pose[0]);
+  add_pose(text, "pose", pair.written(pair.pose[0]));
   if (!leads_free(text, pair.pose, pair, -1)) return false;
   text += '}';
   return true;

@@ -29,9 +29,9 @@ struct Certified_file {
 ///     const Answer answer = certificate.collide(query, pose_a, pose_b);
 ///     std::ofstream("proof.json") << certificate.text();
 ///
-/// Relations, exits, depths and first contacts that the search cannot prove are left out (`without_proof`). Other such
-/// answers throw Error. So do answers whose proof needs triangles that a face lacks, and answers about another number
-/// of bodies than the certificate has.
+/// An answer is left out and counted (`without_proof`) where its proof needs triangles that a face lacks, since its
+/// loops cross. So are relations, exits, depths and first contacts for which the search finds no proof. A wrong answer
+/// throws Error. So does one about another number of bodies than the certificate has.
 class Certificate {
  public:
   /// For answers about one body. The bodies are written into the certificate, unless `name_file` names their files.
@@ -90,35 +90,34 @@ class Certificate {
   /// Returns how many answers had no proof and were left out.
   std::size_t without_proof() const;
 
-  /// Adds an answer of `Query::collide`. This and the next few are for poses of the templates (`Pose::exact`).
-  void collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer);
+  /// Adds an answer of `Query::collide`. Like all that follow, it returns true where the answer is proved; else the
+  /// answer is left out. This and the next few are for poses of the templates (`Pose::exact`).
+  bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, Relation answer);
   /// Adds the distance by an answer of `Query::nearest`.
-  void distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const Nearest& nearest);
+  bool distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const Nearest& nearest);
   /// Adds an answer of `Query::within` for this limit. `nearest` is the answer of `Query::nearest`.
-  void within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const std::string& limit,
+  bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const std::string& limit,
               bool answer, const Nearest& nearest);
-  /// Adds the relation of an answer of `Query::solid_relation`; the dimension has no proof. True where it is proved:
-  /// disjoint always, inside and contains where the surfaces share no point, the others where the search finds a proof.
-  /// An overlap needs surfaces that share a point. Else nothing is added. Solids
-  /// that touch and do not overlap are proved where a plane is between them. They are also proved where a body that
-  /// shrinks, grows or moves aside a little has no contact left. Equal solids are proved where they have the same
-  /// faces, too.
+  /// Adds the relation of an answer of `Query::solid_relation`; the dimension has no proof. `inside`
+  /// and `contains` are proved where the surfaces share no point, the others but `disjoint` where a search finds a proof. An
+  /// overlap needs surfaces that share a point. Solids that touch and do not overlap are proved where a plane is
+  /// between them. They are also proved where a body that shrinks, grows or moves aside a little has no contact left.
+  /// Equal solids are proved where they have the same faces, too.
   bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
-  /// Adds an answer of `Query::exits`, as fractions. True where the search finds a proof. Else nothing is added. That
-  /// no move before the first exit parts the solids is added where it is proved.
+  /// Adds an answer of `Query::exits`, as fractions. That no move before the first exit parts the solids is added where
+  /// it is proved.
   bool exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::array<std::string, 3>& direction,
              const Exits& answer);
-  /// Adds the translation of `Query::depth`, an upper bound. True where it is proved, as `meet` is in `relation`. Else
-  /// nothing is added. A lower bound is added where a search of boxes proves one. It is near that of the answer, and
-  /// exact where the search closes all boxes.
+  /// Adds the translation of `Query::depth`, an upper bound, where it is proved as `meet` is in `relation`. A lower
+  /// bound is added where a search of boxes proves one. It is near that of the answer, and exact where the search
+  /// closes all boxes.
   bool depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth& answer);
-  /// Adds an answer of `Query::first_contact`. True where it is proved. Else nothing is added, as for bodies that
-  /// graze.
+  /// Adds an answer of `Query::first_contact`. Bodies that graze have no proof.
   bool first_contact(const Motion& a, const Motion& b, Question question, const std::optional<First_contact>& answer);
   /// Adds an answer of `Body::inside_text`: where a point of decimals or fractions is.
-  void inside(const std::array<std::string, 3>& point, Location answer);
+  bool inside(const std::array<std::string, 3>& point, Location answer);
   /// Adds an answer of `Body::first_hit` for a ray up to `end`.
-  void first_hit(const Ray& ray, const std::optional<Ray_hit>& answer,
+  bool first_hit(const Ray& ray, const std::optional<Ray_hit>& answer,
                  double end = std::numeric_limits<double>::infinity());
 
   /// Returns the certificate of all answers so far, as JSON.

@@ -696,8 +696,7 @@ Answers with their proofs: a dict that experiments/certificates/check.py, a prog
 proves when it is written as JSON. The bodies stand in it.
 
 ask: "collide", "distance", "within" (with `limit`), "relation" (the eight of `solid_relation`), "exits" (with
-`direction`) or "depth" (its bounds, with `relative` and `budget`). Answers of the last three that have no proof are
-left out. Other arguments and errors as of the method of that name; "relation" is `solid_relation`.
+`direction`) or "depth" (its bounds, with `relative` and `budget`). Answers that have no proof are left out. Other arguments and errors as of the method of that name; "relation" is `solid_relation`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])

@@ -135,6 +135,57 @@ BOOST_AUTO_TEST_CASE(an_overlap_of_surfaces_that_are_apart_is_left_out)
   BOOST_TEST(certificate.without_proof() == 1);
 }
 
+BOOST_AUTO_TEST_CASE(answers_far_from_the_origin_are_proved_as_near_ones)
+{
+  const Body cube(scenes::unit_cube()), large(scenes::cube(1));
+  // The parts of the proofs that a search may not find, when both bodies are moved this far.
+  const auto found = [&](const Body& body, double far, double aside) {
+    const Pose a = Pose::translation(far, -far, far / 2),
+               b = Pose::translation(far + aside, -far - aside / 2, far / 2 + aside / 4);
+    Query query{body, cube};
+    Certificate certificate(query);
+    certificate.collide(query, a, b);
+    certificate.relation(query, a, b);
+    certificate.exits(query, a, b, {"1", "0", "1/3"});
+    certificate.depth(query, a, b);
+    BOOST_TEST(certificate.without_proof() == 0);
+    BOOST_TEST(is_proved(certificate));
+    const std::string text = certificate.text();
+    return std::array{text.find("\"overlap\":[") != std::string::npos, text.find("\"low\":{") != std::string::npos};
+  };
+  for (const Body& body : {cube, large}) {
+    BOOST_TEST((found(body, 0, 0.75) == std::array{true, true}));
+    BOOST_TEST((found(body, 0x1p40, 0.75) == std::array{true, true}));
+    BOOST_TEST((found(body, -0x1p300, 0) == found(body, 0, 0)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(answers_near_a_face_whose_loop_crosses_itself_are_left_out)
+{
+  covering::Polyhedron bow;
+  bow.vertices = {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}, {1, 1, 1}};
+  bow.add_face({{0, 1, 2, 3}});
+  for (Index k = 0; k < 4; ++k) bow.add_face({{(k + 1) % 4, k, 4}});
+  const Body body(bow), cube(scenes::cube(0.05));
+  const Pose beside = Pose::translation(1, 0.2, 0);
+  for (const Question question : {Question::solid, Question::surface}) {
+    Query query{body, cube, question};
+    Certificate certificate(query);
+    BOOST_TEST((certificate.collide(query, Pose(), beside).relation() == Relation::apart));
+    certificate.distance(query, Pose(), beside);
+    certificate.within(query, Pose(), beside, "1e-9");
+    BOOST_TEST(certificate.without_proof() == 3);
+    certificate.collide(query, Pose(), Pose::translation(1, 0.2, 1));
+    BOOST_TEST(certificate.without_proof() == 3);
+    BOOST_TEST(is_proved(certificate));
+  }
+  Certificate certificate(body);
+  const tetracone::Ray through{{1, 0.2, -1}, {0, 0, 1}};
+  BOOST_TEST(!body.first_hit(through));
+  BOOST_TEST(!certificate.first_hit(through, std::nullopt));
+  BOOST_TEST(certificate.without_proof() == 1);
+}
+
 BOOST_AUTO_TEST_CASE(exits_and_depths_are_proved)
 {
   const Body cube(scenes::unit_cube());
