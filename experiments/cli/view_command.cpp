@@ -6,6 +6,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/scene_file.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace tetracone::experiments {
@@ -82,16 +83,11 @@ View_scene scene_of(const View_options& options, std::optional<kernel::Question>
   return read_view_motion(motion, question.value_or(kernel::Question::solid));
 }
 
-/// Throws CLI::ValidationError for texts that are no direction.
+/// Throws CLI::ValidationError for a direction of 0. Requires numbers.
 void require_direction(const std::array<std::string, 3>& along)
 {
-  bool is_zero = true;
-  for (const std::string& text : along) {
-    const auto number = kernel::parse_number(text);
-    if (!number) throw CLI::ValidationError("--along", "'" + text + "'; expected decimals or fractions");
-    is_zero = is_zero && sgn(*number) == 0;
-  }
-  if (is_zero) throw CLI::ValidationError("--along", "a direction of 0; expected one of some length");
+  if (std::ranges::all_of(along, [](const std::string& text) { return sgn(*kernel::parse_number(text)) == 0; }))
+    throw CLI::ValidationError("--along", "a direction of 0; expected one of some length");
 }
 
 void run_view(const View_options& options)
@@ -105,6 +101,8 @@ void run_view(const View_options& options)
         "view was built without three.js; expected Debian's libjs-three where this program was configured");
 
   options.names.refuse_as_output(options.out);
+  if (!options.out.ends_with(".html") && !options.out.ends_with(".htm"))
+    throw CLI::ValidationError("--out " + options.out, "a page is HTML; expected a name that ends in .html or .htm");
   const bool moves_out = options.depth || !options.along[0].empty();
   if (!verify::is_scene_name(options.names.a)) {
     View_scene scene = scene_of(options, question);
@@ -140,7 +138,7 @@ void add_view_command(CLI::App& app)
                    "file, *.scene.json, that holds all")
       ->required();
   command->add_option("B", names.b, "Model; without it A is shown alone");
-  command->add_option("--out", options->out, "The page, FILE.html")->required();
+  command->add_option("--out", options->out, "The page, FILE.html or FILE.htm")->required();
   command->add_option("--question", options->question, "solid or surface; default: solid, or the case file's own");
   add_default(*command, "--kernel", options->kernel,
               "Whose answers are compared with the exact ones: " + kernel_names());
@@ -150,6 +148,10 @@ void add_view_command(CLI::App& app)
                       "Rays of one model, in its own coordinates: one a line, six decimals, origin and direction");
   CLI::Option* const along = command->add_option("--along", options->along,
                                                  "Move A out of B along this direction: three decimals or fractions");
+  // A direction of too few numbers takes the next option for one.
+  along->check([](const std::string& text) {
+    return kernel::parse_number(text) ? "" : "'" + text + "'; expected three decimals or fractions";
+  });
   command->add_flag("--depth", options->depth, "Move A out of B by the least translation")->excludes(along);
   names.add_options_to(*command);
   options->motion.add_options_to(*command);
