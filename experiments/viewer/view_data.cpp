@@ -15,11 +15,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <set>
+#include <span>
 #include <tuple>
+#include <utility>
 
 namespace tetracone::experiments {
 namespace {
@@ -47,18 +51,32 @@ std::size_t triangle_count(const Polyhedron& polyhedron)
   return count - 2 * polyhedron.face_count();
 }
 
-/// Six digits are enough to draw by.
-double short_number(double x)
+/// The longest side of the box about the points.
+double drawn_extent(std::span<const kernel::Vertex> points)
 {
+  double extent = 0;
+  for (std::size_t k = 0; !points.empty() && k < 3; ++k) {
+    const auto [low, high] = std::ranges::minmax_element(points, {}, [k](const auto& p) { return p[k]; });
+    extent = std::max(extent, (*high)[k] - (*low)[k]);
+  }
+  return extent;
+}
+
+/// Six digits of the extent are enough to draw by: a coordinate far from 0 has more digits before them.
+double short_number(double x, double extent)
+{
+  const double more = std::ceil(std::log10(std::abs(x) / extent));
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
+  std::snprintf(text, sizeof text, "%.*g", 6 + (more > 0 ? int(std::min(more, 11.0)) : 0), x);
   return std::strtod(text, nullptr);
 }
 
+double short_length(double x) { return short_number(x, x); }
+
 template <class Point>
-void append(Json& numbers, const Point& p)
+void append(Json& numbers, const Point& p, double extent)
 {
-  for (int k = 0; k < 3; ++k) numbers.push_back(short_number(p[k]));
+  for (int k = 0; k < 3; ++k) numbers.push_back(short_number(p[k], extent));
 }
 
 Json faces_data(const Polyhedron& polyhedron)
@@ -95,7 +113,7 @@ Json covering_data(const covering::Model<K>& model)
   return {{"origin", model.lattice().origin}, {"triangles", triangles}, {"signs", signs}};
 }
 
-Json nodes_data(const Tree& tree)
+Json nodes_data(const Tree& tree, double extent)
 {
   Json level = Json::array(), leaf = Json::array(), tetrahedron = Json::array(), sphere = Json::array(),
        faces = Json::array();
@@ -103,9 +121,9 @@ Json nodes_data(const Tree& tree)
     const Node& node = tree.node(n);
     level.push_back(node.level);
     leaf.push_back(int(node.is_leaf));
-    for (int i = 1; i < 4; ++i) append(tetrahedron, node.tetrahedron[i]);
-    append(sphere, node.sphere.centre);
-    sphere.push_back(short_number(node.sphere.radius));
+    for (int i = 1; i < 4; ++i) append(tetrahedron, node.tetrahedron[i], extent);
+    append(sphere, node.sphere.centre, extent);
+    sphere.push_back(short_length(node.sphere.radius));
     faces.push_back(Json::array());
     if (node.is_leaf)
       for (const Index face : tree.faces(node)) faces.back().push_back(face);
@@ -129,7 +147,7 @@ Json hull_data(const Tree& tree)
       longest = std::max(longest, std::hypot(edge[0], edge[1], edge[2]));
     }
   }
-  return {{"level", level}, {"dmax", level <= Hull::deepest_convex_level ? short_number(longest) : -1.0}};
+  return {{"level", level}, {"dmax", level <= Hull::deepest_convex_level ? short_length(longest) : -1.0}};
 }
 
 Json body_data(const Model_file& body, const covering::Covering& covering)
@@ -144,11 +162,11 @@ Json body_data(const Model_file& body, const covering::Covering& covering)
           {"triangles", triangles_data(body.polyhedron(), covering)}};
 }
 
-void add_method(Json& body, const Tree& tree)
+void add_method(Json& body, const Tree& tree, double extent)
 {
   body["covering"] = covering_data(tree.model());
   body["depth"] = tree.config().depth;
-  body["nodes"] = nodes_data(tree);
+  body["nodes"] = nodes_data(tree, extent);
   body["hull"] = hull_data(tree);
 }
 
@@ -180,31 +198,35 @@ Json features_data(const std::vector<Feature_pair>& exact, const std::vector<Fea
   return rows;
 }
 
-/// The pieces of all contacts as segments, of six digits: of a point its own twice, of a polygon its border.
+/// The pieces of all contacts as segments: of a point its own twice, of a polygon its border.
 Json contacts_data(const Contacts& contacts)
 {
-  Json segments = Json::array();
-  const auto add = [&](const auto& from, const auto& to) {
-    Json segment = Json::array();
-    append(segment, from);
-    append(segment, to);
-    segments.push_back(std::move(segment));
-  };
-  for (std::size_t k = 0; k < contacts.size() && segments.size() < most_features; ++k)
+  std::vector<kernel::Vertex> ends;  // two of each segment
+  for (std::size_t k = 0; k < contacts.size() && ends.size() < 2 * most_features; ++k)
     for (const auto& loop : contacts.nearest_loops(k)) {
       const bool closed = contacts[k].kind == Piece::polygon || loop.size() == 1;
-      for (std::size_t i = closed ? 0 : 1; i < loop.size(); ++i) add(loop[i == 0 ? loop.size() - 1 : i - 1], loop[i]);
+      for (std::size_t i = closed ? 0 : 1; i < loop.size(); ++i)
+        ends.insert(ends.end(), {loop[i == 0 ? loop.size() - 1 : i - 1], loop[i]});
     }
+  const double extent = drawn_extent(ends);
+  Json segments = Json::array();
+  for (std::size_t k = 0; k < ends.size(); k += 2) {
+    segments.push_back(Json::array());
+    append(segments.back(), ends[k], extent);
+    append(segments.back(), ends[k + 1], extent);
+  }
   return segments;
 }
 
-/// The number of pairs of faces in contact.
-std::size_t pair_count(const Contacts& contacts)
+/// The number of pairs of faces of the file in contact.
+std::size_t pair_count(const Contacts& self_intersections, const Model_file& body)
 {
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    count += k == 0 || contacts[k].face_a != contacts[k - 1].face_a || contacts[k].face_b != contacts[k - 1].face_b;
-  return count;
+  std::set<std::pair<Index, Index>> pairs;
+  for (std::size_t k = 0; k < self_intersections.size(); ++k) {
+    const Index a = body.source_face[self_intersections[k].face_a], b = body.source_face[self_intersections[k].face_b];
+    if (a != b) pairs.emplace(a, b);
+  }
+  return pairs.size();
 }
 
 /// The vector by which A leaves B, and how long it is. Requires interiors that share a point.
@@ -240,18 +262,22 @@ Json solids_data(Query& query, detail::Relation_solver& overlap, const Pose& pos
   Json row = {{"relation", to_string(contact.relation)}, {"dimension", contact.dimension}};
   if (contact.relation == Solid_relation::disjoint || contact.relation == Solid_relation::meet) return row;
   const auto [low, high] = query.overlap_bounds(pose_a, pose_b).volume;
-  row["volume"] = short_number(low / 2 + high / 2);
+  row["volume"] = short_length(low / 2 + high / 2);
   if (way) row["out"] = out_data(query, pose_a, pose_b, *way);
   const auto parts = overlap.overlap_border(pose_a, pose_b);
   row["parts"] = nullptr;
   if (parts.size() > parts_left) return row;
   parts_left -= parts.size();
-  row["parts"] = Json::array();
-  for (const auto& part : parts) {
-    Json numbers = Json::array();
+  std::vector<kernel::Vertex> corners;
+  for (const auto& part : parts)
     for (const auto& [x, y, z] : part)
-      append(numbers, std::array{kernel::nearest_double(x), kernel::nearest_double(y), kernel::nearest_double(z)});
-    row["parts"].push_back(std::move(numbers));
+      corners.push_back({kernel::nearest_double(x), kernel::nearest_double(y), kernel::nearest_double(z)});
+  const double extent = drawn_extent(corners);
+  row["parts"] = Json::array();
+  auto corner = corners.begin();
+  for (const auto& part : parts) {
+    row["parts"].push_back(Json::array());
+    for (std::size_t i = 0; i < part.size(); ++i) append(row["parts"].back(), *corner++, extent);
   }
   return row;
 }
@@ -413,10 +439,11 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
   for (const Model_file& body : scene.bodies)
     data["bodies"].push_back(body_data(body, covering::Covering(body.polyhedron())));
   for (std::size_t k = 0; k < trees.size(); ++k) {
-    add_method(data["bodies"][k], trees[k]);
-    const Contacts own = scene.bodies[k].body.self_intersections();
+    const Model_file& body = scene.bodies[k];
+    add_method(data["bodies"][k], trees[k], drawn_extent(body.polyhedron().vertices));
+    const Contacts own = body.body.self_intersections();
     data["bodies"][k]["self"] = contacts_data(own);
-    data["bodies"][k]["self_pairs"] = pair_count(own);
+    data["bodies"][k]["self_pairs"] = pair_count(own, body);
   }
   data["poses"] = {poses_data(scene.poses.a), poses_data(scene.poses.b)};
   const char* const question = scene.question == kernel::Question::solid ? "solid" : "surface";

@@ -19,8 +19,8 @@ std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron&
                                                      const covering::Covering& covering);
 
 /// Returns all that a page shows of a scene, as one line of JSON; experiments/viewer/page/bodies.js reads it. Vertices
-/// and poses are the shortest decimals of their nearest doubles. Bounding volumes, contacts, volumes and parts have six
-/// digits. The members are:
+/// and poses are the shortest decimals of their nearest doubles. Radii and volumes have six digits. Bounding
+/// tetrahedra, contacts and parts have six digits of the extent of what is drawn together. The members are:
 ///  - `name` of the scene, and `version` of the program;
 ///  - `bodies`: name, vertices, faces by their loops, and triangles to draw them by, each behind its face; `source`:
 ///    the number of each face in the file;

@@ -161,6 +161,42 @@ BOOST_AUTO_TEST_CASE(bodies_say_where_they_intersect_themselves)
   BOOST_TEST(Page(cube).data["bodies"][0]["self_pairs"] == 0);
 }
 
+/// The cube from (x, 0, 0).
+std::string cube_at(int x)
+{
+  std::string text = "OFF\n8 6 0\n";
+  for (int v = 0; v < 8; ++v)
+    text += std::to_string(x + (v & 1)) + " " + std::to_string(v >> 1 & 1) + " " + std::to_string(v >> 2) + "\n";
+  return text + "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
+}
+
+BOOST_AUTO_TEST_CASE(what_is_drawn_far_from_the_origin_is_as_exact_as_near_it)
+{
+  constexpr int far = 100'000'000;
+  const Temporary_file a("near.off", cube_at(0)), b("far.off", cube_at(far)),
+      half("half.txt", "1 0 0 0.5 0 1 0 0.25 0 0 1 0.25\n");
+  const auto page = [&](const Temporary_file& model) {
+    const std::string name = in_quotes(model.path());
+    return Page(name + " " + name + " --pose-b " + in_quotes(half.path())).data;
+  };
+  const Json near_data = page(a), far_data = page(b);
+  // Rounded outward at 1e8, bounds are wider by some 1e-7.
+  const auto check_moved = [](const Json& here, const Json& there, const std::string& what) {
+    BOOST_TEST_REQUIRE(here.size() == there.size(), what);
+    for (std::size_t i = 0; i < here.size(); ++i)
+      BOOST_TEST(std::abs(there[i].get<double>() - here[i].get<double>() - (i % 3 == 0 ? far : 0)) < 1e-5, what);
+  };
+  const auto nodes = [](const Json& data) -> const Json& { return data["bodies"][0]["nodes"]; };
+  check_moved(nodes(near_data)["tetrahedron"], nodes(far_data)["tetrahedron"], "tetrahedra");
+  const Json &here = nodes(near_data)["sphere"], &there = nodes(far_data)["sphere"];
+  for (std::size_t i = 0; i < here.size(); ++i)
+    BOOST_TEST(std::abs(there[i].get<double>() - here[i].get<double>() - (i % 4 == 0 ? far : 0)) < 1e-5, "spheres");
+  const Json &contacts = near_data["contacts"][0], &parts = near_data["solids"][0]["parts"];
+  BOOST_TEST_REQUIRE((!contacts.empty() && !parts.empty()));
+  for (std::size_t k = 0; k < contacts.size(); ++k) check_moved(contacts[k], far_data["contacts"][0][k], "contacts");
+  for (std::size_t k = 0; k < parts.size(); ++k) check_moved(parts[k], far_data["solids"][0]["parts"][k], "parts");
+}
+
 BOOST_AUTO_TEST_CASE(a_lost_pair_of_the_corpus_is_marked)
 {
   const Json data = Page(source + "/verify/corpus/double-false-negative-pose-vertex-edge.case.json").data;
