@@ -283,40 +283,48 @@ Json solids_data(Query& query, detail::Relation_solver& overlap, const Pose& pos
 }
 
 /// The distance, the two nearest points and what holds them.
-Json nearest_data(const Nearest& nearest)
+Json nearest_data(const Nearest& nearest, const std::vector<Model_file>& bodies)
 {
   Json row = Json::array({nearest.distance});
   for (const auto& point : nearest.point)
     for (const std::string& x : point) row.push_back(kernel::nearest_double(kernel::Rational(x)));
-  for (const Holder& holder : nearest.holder) row.push_back(holder.text());
+  for (std::size_t k = 0; k < 2; ++k) row.push_back(named_as_in_file(nearest.holder[k], bodies[k]).text());
   return row;
 }
 
-/// The six numbers of each ray, and the face and t of each hit.
-Json rays_data(const Polyhedron& polyhedron, const std::vector<std::array<double, 6>>& rays)
+/// The six numbers of each ray, and the face of the file and t of each hit. Triangles of one face that share the point
+/// are one hit.
+Json rays_data(const Model_file& model, const std::vector<std::array<double, 6>>& rays)
 {
-  const Body body(polyhedron);
   Json rows = Json::array();
   for (const auto& r : rays) {
+    std::set<std::pair<double, Index>> met;
+    for (const Ray_hit& hit : model.body.hits({{r[0], r[1], r[2]}, {r[3], r[4], r[5]}}))
+      met.emplace(hit.t, model.source_face[hit.face]);
     Json hits = Json::array();
-    for (const Ray_hit& hit : body.hits({{r[0], r[1], r[2]}, {r[3], r[4], r[5]}})) {
-      hits.push_back(hit.face);
-      hits.push_back(hit.t);
+    for (const auto& [t, face] : met) {
+      hits.push_back(face);
+      hits.push_back(t);
     }
     rows.push_back({r, hits});
   }
   return rows;
 }
 
-/// The time of each pose, when the bodies first meet, and what meets: of each body the kind of part and its numbers.
-Json motion_data(const View_motion& motion)
+/// The time of each pose, when the bodies first meet, and what meets. Of each body it is the part in words, its numbers,
+/// and whether it is a face.
+Json motion_data(const View_motion& motion, const std::vector<Model_file>& bodies)
 {
   Json row = {{"times", motion.times}};
   if (!motion.first) return row;
   row["first"] = {motion.first->lo, motion.first->hi};
   if (!motion.first->holder) return row;
   row["holders"] = Json::array();
-  for (const Holder& holder : *motion.first->holder) row["holders"].push_back({holder.text(), holder.number});
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Holder& holder = (*motion.first->holder)[k];
+    row["holders"].push_back(
+        {named_as_in_file(holder, bodies[k]).text(), holder.number, holder.kind == Holder::Kind::face});
+  }
   return row;
 }
 
@@ -357,7 +365,7 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
     data["answer"].push_back(int(judged->collide(pose_a, pose_b, scene.question)));
     progress.step();
     if (!query) continue;
-    data["nearest"].push_back(nearest_data(exact->query(scene.question)->nearest(pose_a, pose_b)));
+    data["nearest"].push_back(nearest_data(exact->query(scene.question)->nearest(pose_a, pose_b), scene.bodies));
     if (const auto leaves = leaves_left(*query, trees[0], trees[1], pose_a, pose_b)) {
       const auto pairs = exact->features(pose_a, pose_b);
       data["feature_counts"].push_back(pairs.size());
@@ -452,8 +460,8 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
     add_answer_of_predicate(data, *scene.from, kernel);
   else if (pair)
     add_answers(data, scene, *subject, trees);
-  if (!scene.rays.empty()) data["rays"] = rays_data(scene.bodies[0].polyhedron(), scene.rays);
-  if (scene.motion) data["motion"] = motion_data(*scene.motion);
+  if (!scene.rays.empty()) data["rays"] = rays_data(scene.bodies[0], scene.rays);
+  if (scene.motion) data["motion"] = motion_data(*scene.motion, scene.bodies);
   if (scene.from) data["case"] = case_data(*scene.from);
   return data.dump();
 }

@@ -42,14 +42,16 @@ std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron&
 ///  - `nearest`, for each pose: the distance, the two nearest points and the features that contain them;
 ///  - `contacts`, for each pose: where faces meet, as some 2000 segments of six numbers at most; a polygon is given by
 ///    its border;
-///  - `self`, of a body: where it intersects itself, as `contacts`; `self_pairs`: the number of pairs of its faces;
+///  - `self`, of a body: where it intersects itself, as `contacts`; `self_pairs`: the number of such pairs of
+///    faces of the file;
 ///  - `solids`, for each pose of two solids: the relation, the dimension of what the surfaces share, and the volume of
 ///    the overlap; `parts`: the polygons that bound the overlap, by their coordinates, or null where they are more than
 ///    a page holds; `out`: the vector that moves A out of B, with bounds of its length, or with the exits. Solids that
 ///    are disjoint or only meet have no volume, parts and `out`. A pose with more than `most_leaf_pairs` has null;
 ///  - `motion`, for two moving bodies: the times of the poses; `first`: the doubles around the first contact;
-///    `holders`: the features of A and B that meet then, in words and by their numbers;
-///  - `rays`, for one body: origin and direction, and the faces that each ray meets, with t;
+///    `holders`: the features of A and B that meet then. Each has its name in the file, its numbers in the page, and
+///    whether it is a face in the page;
+///  - `rays`, for one body: origin and direction, and the faces of the file that each ray meets, with t;
 ///  - `case`, of a case file: cause, family, seed, index and the names of subjects that were wrong.
 ///
 /// More than `most_detailed` triangles cause a line on stderr. Throws covering::Input_error for more than

@@ -297,9 +297,9 @@ function rayObject(k, radius)
 function firstObject(k, radius)
 {
   const group = new THREE.Group();
-  (data.motion.holders || []).forEach(([words, numbers], b) => {
+  (data.motion.holders || []).forEach(([, numbers, isFace], b) => {
     const at = v => placed(bodies[b], k, bodies[b].points[v]), {rod, sheet} = markMaterials[0];
-    if (words.startsWith('face')) {
+    if (isFace) {
       const mesh = new THREE.Mesh(geometryOf(trianglesOf(bodies[b], numbers).map(p => placed(bodies[b], k, p))), sheet);
       mesh.renderOrder = 4;
       group.add(mesh);

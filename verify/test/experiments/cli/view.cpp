@@ -197,6 +197,28 @@ BOOST_AUTO_TEST_CASE(what_is_drawn_far_from_the_origin_is_as_exact_as_near_it)
   for (std::size_t k = 0; k < parts.size(); ++k) check_moved(parts[k], far_data["solids"][0]["parts"][k], "parts");
 }
 
+BOOST_AUTO_TEST_CASE(faces_have_the_numbers_of_the_file)
+{
+  // Triangles replace face 0, which is not planar.
+  const Temporary_file quads("quads.off",
+                             "OFF\n8 2 0\n0 0 0\n4 0 0\n4 4 1\n0 4 0\n10 0 0\n14 0 0\n14 4 0\n10 4 0\n"
+                             "4 0 1 2 3\n4 4 5 6 7\n"),
+      above("above.off", "OFF\n3 1 0\n12 1 1\n13 1 3\n12 2 3\n3 0 1 2\n"),
+      down("down.txt", "1 0 0 0 0 1 0 0 0 0 1 -3\n"), ray("ray.txt", "2 2 -5 0 0 1\n");
+  const std::string pair = in_quotes(quads.path()) + " " + in_quotes(above.path()) + " --question surface";
+  BOOST_TEST(Page(pair).data["nearest"][0] == Json::parse(R"([1, 12, 1, 0, 12, 1, 1, "face 1", "vertex 0"])"));
+  BOOST_TEST(Page(pair + " --pose-b1 " + in_quotes(down.path())).data["motion"]["holders"] ==
+             Json::parse(R"([["face 1", [2], true], ["vertex 0", [0], false]])"));
+  // Both triangles have the point that the ray meets.
+  const Json hits = Page(in_quotes(quads.path()) + " --rays " + in_quotes(ray.path())).data["rays"][0][1];
+  BOOST_TEST_REQUIRE(hits.size() == 2u);
+  BOOST_TEST(hits[0] == 0);
+  const Temporary_file crossed("crossed.off",
+                               "OFF\n8 2 0\n0 0 0\n4 0 0\n4 4 1\n0 4 0\n2 -1 -1\n2 -1 5\n2 6 5\n2 6 -1\n"
+                               "4 0 1 2 3\n4 4 5 6 7\n");
+  BOOST_TEST(Page(in_quotes(crossed.path())).data["bodies"][0]["self_pairs"] == 1);
+}
+
 BOOST_AUTO_TEST_CASE(a_lost_pair_of_the_corpus_is_marked)
 {
   const Json data = Page(source + "/verify/corpus/double-false-negative-pose-vertex-edge.case.json").data;
