@@ -69,7 +69,7 @@ std::string scene_data(const std::filesystem::path& name, kernel::Question quest
               {"bodies", file.bodies()},
               {"frames", frames},
               {"pairs", pairs}}
-      .dump(-1, ' ', true);
+      .dump(-1, ' ', true, Json::error_handler_t::replace);  // a file's name may be no UTF-8
 }
 
 }  // namespace tetracone::experiments

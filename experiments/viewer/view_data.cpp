@@ -463,7 +463,8 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
   if (!scene.rays.empty()) data["rays"] = rays_data(scene.bodies[0], scene.rays);
   if (scene.motion) data["motion"] = motion_data(*scene.motion, scene.bodies);
   if (scene.from) data["case"] = case_data(*scene.from);
-  return data.dump();
+  // A file's name may be no UTF-8.
+  return data.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace tetracone::experiments

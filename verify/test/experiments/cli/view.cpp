@@ -219,6 +219,15 @@ BOOST_AUTO_TEST_CASE(faces_have_the_numbers_of_the_file)
   BOOST_TEST(Page(in_quotes(crossed.path())).data["bodies"][0]["self_pairs"] == 1);
 }
 
+BOOST_AUTO_TEST_CASE(names_need_not_be_utf_8)
+{
+  const Temporary_file model("caf\xe9.off", contents(cube)),
+      scene("caf\xe9.scene.json", R"({"models": {"c": ")" + cube + R"("}, "bodies": [{"model": "c"}],
+                                      "frames": [[[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]]]})");
+  for (const auto* file : {&model, &scene})
+    BOOST_TEST(contains(Page(in_quotes(file->path())).data["name"].get<std::string>(), "caf\xef\xbf\xbd."));
+}
+
 BOOST_AUTO_TEST_CASE(a_lost_pair_of_the_corpus_is_marked)
 {
   const Json data = Page(source + "/verify/corpus/double-false-negative-pose-vertex-edge.case.json").data;
