@@ -114,7 +114,7 @@ void run_view(const View_options& options)
       scene.way_out = View_way_out{options.along};
     }
     write_page(options.out, viewer::pair_html, view_data(scene, options.kernel, *method),
-               {viewer::bodies_js, viewer::bounds_js, viewer::camera_js, viewer::pair_js});
+               {viewer::boxes_js, viewer::bodies_js, viewer::bounds_js, viewer::camera_js, viewer::pair_js});
     return;
   }
   if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty() ||
@@ -122,7 +122,7 @@ void run_view(const View_options& options)
     throw CLI::ValidationError(options.names.a, "expected alone: a scene file names its models and poses");
   write_page(options.out, viewer::scene_html,
              scene_data(options.names.a, question.value_or(kernel::Question::solid), options.names.models),
-             {viewer::camera_js, viewer::scene_js});
+             {viewer::boxes_js, viewer::camera_js, viewer::scene_js});
 }
 
 }  // namespace

@@ -1,33 +1,10 @@
 'use strict';
 // The bodies, where they stand, and what of them collides.
 //
-// Coordinates of a file may be far apart, huge or tiny, and the picture is drawn in single precision: each body is kept
-// in a frame of its own, about 0 and of extent 1, and its matrix into the scene, which is about 0 and of extent 1 over all poses,
-// is computed in double.
+// Each body is kept in a frame of its own, and what is marked in a pose in a frame of that pose. Their matrices into the
+// scene, which holds all poses, are computed in double.
 
 const data = JSON.parse(document.getElementById('data').textContent);
-
-function boxOf(points)
-{
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const p of points)
-    for (let k = 0; k < 3; ++k) low[k] = Math.min(low[k], p[k]), high[k] = Math.max(high[k], p[k]);
-  // Halved first: the extent of a huge model overflows.
-  const centre = low.map((x, k) => x / 2 + high[k] / 2), extent = Math.max(...low.map((x, k) => high[k] / 2 - x / 2));
-  return {low, high, centre, extent: extent > 0 ? extent : 1};
-}
-
-function triples(flat)
-{
-  const all = [];
-  for (let i = 0; i < flat.length; i += 3) all.push([flat[i], flat[i + 1], flat[i + 2]]);
-  return all;
-}
-
-function image(pose, p)
-{
-  return [0, 4, 8].map(r => pose[r] * p[0] + pose[r + 1] * p[1] + pose[r + 2] * p[2] + pose[r + 3]);
-}
 
 const poseCount = Math.max(data.poses[0].length, data.bodies.length > 1 ? data.poses[1].length : 0);
 function poseOf(body, k)
@@ -39,16 +16,9 @@ function poseOf(body, k)
 const bodies = data.bodies.map((body, number) => {
   const points = triples(body.vertices), box = boxOf(points);
   return {...body, number, colour: number === 0 ? '--a' : '--b', points, box, group: new THREE.Group(),
-          local: p => p.map((x, k) => (x - box.centre[k]) / box.extent)};
+          local: p => inFrame(box, p)};
 });
 
-// The corners of a body's box in pose k: enough for the extent of the scene.
-function placedCorners(body, k)
-{
-  const pose = poseOf(body, k), {low, high} = body.box, corners = [];
-  for (let c = 0; c < 8; ++c) corners.push(image(pose, [c & 1 ? high[0] : low[0], c & 2 ? high[1] : low[1], c & 4 ? high[2] : low[2]]));
-  return corners;
-}
 // How solids stand in pose k; and the vector that moves A out of B, which is 0 where they need not part.
 function solidsOf(k) { return data.solids ? data.solids[k] : null; }
 function outOf(k)
@@ -58,29 +28,40 @@ function outOf(k)
 }
 const plus = (p, v, s = 1) => p.map((x, i) => x + s * v[i]);
 
-const world = (() => {
-  const all = [];
-  for (const body of bodies)
-    for (let k = 0; k < data.poses[body.number].length; ++k) all.push(...placedCorners(body, k));
-  for (let k = 0; k < poseCount; ++k)
-    if (outOf(k).some(x => x !== 0)) all.push(...placedCorners(bodies[0], k).map(p => plus(p, outOf(k))));
-  const box = boxOf(all);
-  if (!Number.isFinite(box.extent) || box.centre.some(x => !Number.isFinite(x))) throw new Error('these coordinates are too large to be drawn');
-  return box;
-})();
-const inScene = p => p.map((x, k) => (x - world.centre[k]) / world.extent);
-const placed = (body, k, p) => inScene(image(poseOf(body, k), p));
+// Where a body's point stands in pose k when A is moved by a share of the way out.
+function standing(body, k, p, share = 0)
+{
+  return plus(image(poseOf(body, k), p), outOf(k), body.number === 0 ? share : 0);
+}
+// The corners of a body's box there: enough for the extent of the scene.
+function placedCorners(body, k, share = 0) { return cornersOf(body.box).map(p => standing(body, k, p, share)); }
+
+// Poses may be so far apart that single precision holds no mark in a frame of all.
+const poseBoxes = Array.from({length: poseCount}, (_, k) => boxOf(bodies.flatMap(body => placedCorners(body, k))));
+const world = worldOf(poseBoxes.flatMap(({low, high}, k) => [low, high, ...placedCorners(bodies[0], k, 1)]));
+const marked = (body, k, p, share = 0) => inFrame(poseBoxes[k], standing(body, k, p, share));
 
 // Places a body, and A by a share of the way out.
-function place(body, k, share = 0)
+function place(body, k, share)
 {
-  const pose = poseOf(body, k), scale = body.box.extent / world.extent;
-  const t = plus(placed(body, k, body.box.centre), outOf(k), body.number === 0 ? share / world.extent : 0);
-  const m = [0, 1, 2].map(r => [0, 1, 2].map(c => pose[4 * r + c] * scale));
-  body.group.matrixAutoUpdate = false;
-  body.group.matrix.set(...m[0], t[0], ...m[1], t[1], ...m[2], t[2], 0, 0, 0, 1);
-  body.group.matrixWorldNeedsUpdate = true;
-  body.isPoint = body.group.matrix.determinant() === 0;  // beside the other body, which is larger by more than doubles can say
+  setMatrix(body.group, frameMatrix(body.box, poseOf(body, k), world, standing(body, k, body.box.centre, share)));
+  // The other body can be larger by more than doubles can say.
+  body.isPoint = body.group.matrix.determinant() === 0;
+}
+
+// Places the group of the marks of a pose; returns how large their frame is in the scene.
+const unmoved = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+function placeMarks(group, k)
+{
+  setMatrix(group, frameMatrix(poseBoxes[k], unmoved, world, poseBoxes[k].centre));
+  return poseBoxes[k].extent / world.extent;
+}
+
+function setMatrix(group, matrix)
+{
+  group.matrixAutoUpdate = false;
+  group.matrix.copy(matrix);
+  group.matrixWorldNeedsUpdate = true;
 }
 
 // Colours are the style sheet's: light or dark, one place says which.
@@ -151,7 +132,7 @@ for (const body of bodies) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Colliding edges and faces: edges as rods of about the same width on the screen, faces as sheets. All in the scene's frame.
+// Colliding edges and faces, in the pose's frame: edges as rods of about the same width on the screen, faces as sheets.
 
 const kinds = ['none', 'vertex-vertex', 'vertex-edge', 'vertex-face', 'edge-edge', 'edge-face', 'coplanar overlap'];
 const markColours = ['--feature', '--wrong', '--wrong'];  // found by both, lost by the kernel, invented by it
@@ -192,11 +173,11 @@ function featureObject(k, radius)
   }
   for (const mark of [0, 1, 2]) {
     const segments = [...edges.values()].filter(e => e.mark === mark)
-                         .map(e => [e.from, e.to].map(v => placed(bodies[e.body], k, bodies[e.body].points[v])));
+                         .map(e => [e.from, e.to].map(v => marked(bodies[e.body], k, bodies[e.body].points[v])));
     if (segments.length) group.add(rods(segments, radius, markMaterials[mark].rod));
     const sheets = [0, 1].flatMap(b => {
       const wanted = [...faces.values()].filter(f => f.mark === mark && f.body === b).map(f => f.face);
-      return wanted.length ? trianglesOf(bodies[b], wanted).map(p => placed(bodies[b], k, p)) : [];
+      return wanted.length ? trianglesOf(bodies[b], wanted).map(p => marked(bodies[b], k, p)) : [];
     });
     if (!sheets.length) continue;
     const mesh = new THREE.Mesh(geometryOf(sheets), markMaterials[mark].sheet);
@@ -210,7 +191,7 @@ function featureObject(k, radius)
 const contactMaterial = withColour(new THREE.MeshLambertMaterial({depthTest: false, transparent: true, opacity: 0.95}), '--contact');
 function contactObject(k, radius)
 {
-  const segments = data.contacts[k].map(s => [s.slice(0, 3), s.slice(3)].map(inScene));
+  const segments = data.contacts[k].map(s => triples(s).map(p => inFrame(poseBoxes[k], p)));
   const group = new THREE.Group();
   if (segments.length) group.add(rods(segments, radius, contactMaterial));
   return group;
@@ -222,8 +203,8 @@ function selfObject(k, radius, share)
 {
   const group = new THREE.Group();
   for (const body of bodies) {
-    const at = p => plus(placed(body, k, p), outOf(k), body.number === 0 ? share / world.extent : 0);
-    if (body.self.length) group.add(rods(body.self.map(s => [s.slice(0, 3), s.slice(3)].map(at)), radius, selfMaterial));
+    const segments = body.self.map(s => triples(s).map(p => marked(body, k, p, share)));
+    if (segments.length) group.add(rods(segments, radius, selfMaterial));
   }
   return group;
 }
@@ -236,7 +217,7 @@ function overlapObject(k)
 {
   const group = new THREE.Group(), points = [];
   for (const part of partsOf(k)) {
-    const corners = triples(part).map(inScene);
+    const corners = triples(part).map(p => inFrame(poseBoxes[k], p));
     for (let i = 2; i < corners.length; ++i) points.push(corners[0], corners[i - 1], corners[i]);
   }
   if (!points.length) return group;
@@ -254,7 +235,8 @@ function wayObject(k, radius)
   const group = new THREE.Group(), vector = outOf(k), corners = partsOf(k).flatMap(triples);
   if (vector.every(x => x === 0)) return group;
   const from = corners.length ? boxOf(corners).centre : image(poseOf(bodies[0], k), bodies[0].box.centre);
-  const ends = [from, plus(from, vector)].map(inScene), along = new THREE.Vector3(...plus(ends[1], ends[0], -1));
+  const ends = [from, plus(from, vector)].map(p => inFrame(poseBoxes[k], p));
+  const along = new THREE.Vector3(...plus(ends[1], ends[0], -1));
   group.add(rods([ends], radius, nearestMaterial));
   const length = Math.min(14 * radius, along.length() / 2);
   const tip = new THREE.Mesh(new THREE.ConeBufferGeometry(length / 3, length, 12), tipMaterial);
@@ -270,7 +252,8 @@ const nearestMaterial = withColour(new THREE.MeshBasicMaterial({depthTest: false
 function nearestObject(k, radius)
 {
   const group = new THREE.Group(), [distance, ...points] = data.nearest[k];
-  if (distance !== 0) group.add(rods([[points.slice(0, 3), points.slice(3, 6)].map(inScene)], radius, nearestMaterial));
+  const ends = triples(points.slice(0, 6)).map(p => inFrame(poseBoxes[k], p));
+  if (distance !== 0) group.add(rods([ends], radius, nearestMaterial));
   return group;
 }
 
@@ -282,7 +265,7 @@ function rayObject(k, radius)
 {
   const group = new THREE.Group(), body = bodies[0], ways = [], balls = [];
   for (const [numbers, hits] of data.rays) {
-    const [from, along] = triples(numbers), at = t => placed(body, k, from.map((x, i) => x + t * along[i]));
+    const [from, along] = triples(numbers), at = t => marked(body, k, from.map((x, i) => x + t * along[i]));
     const times = hits.filter((x, i) => i % 2 === 1 && x !== null), beyond = body.box.extent / Math.hypot(...along);
     const way = [at(0), at(times.length ? times[times.length - 1] + beyond / 2 : 3 * beyond)];
     if (way.flat().every(Number.isFinite)) ways.push(way);
@@ -298,9 +281,9 @@ function firstObject(k, radius)
 {
   const group = new THREE.Group();
   (data.motion.holders || []).forEach(([, numbers, isFace], b) => {
-    const at = v => placed(bodies[b], k, bodies[b].points[v]), {rod, sheet} = markMaterials[0];
+    const at = v => marked(bodies[b], k, bodies[b].points[v]), {rod, sheet} = markMaterials[0];
     if (isFace) {
-      const mesh = new THREE.Mesh(geometryOf(trianglesOf(bodies[b], numbers).map(p => placed(bodies[b], k, p))), sheet);
+      const mesh = new THREE.Mesh(geometryOf(trianglesOf(bodies[b], numbers).map(p => marked(bodies[b], k, p))), sheet);
       mesh.renderOrder = 4;
       group.add(mesh);
     } else {
@@ -310,13 +293,13 @@ function firstObject(k, radius)
   return group;
 }
 
-// Where the contacts are, about: the middle of the boxes' intersections of each pair.
+// Where the contacts are in the scene, about: the middle of the boxes' intersections of each pair.
 function contactBox(k)
 {
   const points = [];
   for (const [b, from, to, face] of featuresOf(k)) {
-    const edge = boxOf([from, to].map(v => placed(bodies[b], k, bodies[b].points[v])));
-    const other = boxOf(bodies[1 - b].faces[face].flat().map(v => placed(bodies[1 - b], k, bodies[1 - b].points[v])));
+    const box = (body, vertices) => boxOf(vertices.map(v => inFrame(world, standing(body, k, body.points[v]))));
+    const edge = box(bodies[b], [from, to]), other = box(bodies[1 - b], bodies[1 - b].faces[face].flat());
     points.push(edge.low.map((x, i) => Math.max(x, other.low[i])), edge.high.map((x, i) => Math.min(x, other.high[i])));
   }
   return points.length ? boxOf(points) : null;
@@ -332,7 +315,7 @@ function leftObject(k)
   for (const body of bodies) {
     const faces = data.left[k][body.number].flatMap(node => body.nodes.faces[node]);
     if (!faces.length) continue;
-    const mesh = new THREE.Mesh(geometryOf(trianglesOf(body, faces).map(p => placed(body, k, p))), leftMaterial);
+    const mesh = new THREE.Mesh(geometryOf(trianglesOf(body, faces).map(p => marked(body, k, p))), leftMaterial);
     mesh.renderOrder = 3;
     group.add(mesh);
   }

@@ -2,7 +2,7 @@
 # Writes the definitions of viewer_files.h: the files as raw strings.
 
 set(text "#include \"experiments/viewer/viewer_files.h\"\n\nnamespace tetracone::experiments::viewer {\n")
-foreach(name page.html pair.html scene.html style.css bodies.js bounds.js camera.js pair.js scene.js three.js)
+foreach(name page.html pair.html scene.html style.css bodies.js bounds.js boxes.js camera.js pair.js scene.js three.js)
   set(file "${FOLDER}/${name}")
   if(name STREQUAL "three.js")
     set(file "${THREE}")

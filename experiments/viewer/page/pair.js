@@ -110,7 +110,8 @@ function update()
     layer('hull', which, () => onBodies(regularHull));
   }
   // Rods keep their width on the screen, but for steps of a quarter.
-  const radius = 0.003 * Math.pow(1.25, Math.round(Math.log(camera.view.distance) / Math.log(1.25)));
+  const width = 0.003 * Math.pow(1.25, Math.round(Math.log(camera.view.distance) / Math.log(1.25)));
+  const radius = width / placeMarks(marks, state.pose);
   if (hasSelf) layer('self', state.pose + ' ' + radius + ' ' + state.out, () => onMarks(selfObject(state.pose, radius, state.out)));
   if (data.solids) {
     layer('overlap', state.pose, () => onMarks(overlapObject(state.pose)));
@@ -253,7 +254,8 @@ function drawLine()
 function fit()
 {
   const shown = bodies.filter(body => state.show.has(body.number ? 'b' : 'a'));
-  camera.fit(boxOf((shown.length ? shown : bodies).flatMap(body => placedCorners(body, state.pose).map(inScene))));
+  const corners = (shown.length ? shown : bodies).flatMap(body => placedCorners(body, state.pose, state.out));
+  camera.fit(boxOf(corners.map(p => inFrame(world, p))));
   fitted = true;
 }
 function setPose(k)

@@ -15,26 +15,12 @@ lamp.position.set(-0.4, 0.6, 1);
 scene.add(new THREE.AmbientLight('#ffffff', 0.5), camera.lens);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Models about the middle of their boxes, so that the card's floats hold what doubles were; the scene about 0 and of extent 1.
-
-function boxOf(points)
-{
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (const p of points)
-    for (let k = 0; k < 3; ++k) {
-      low[k] = Math.min(low[k], p[k]);
-      high[k] = Math.max(high[k], p[k]);
-    }
-  return {low, high, centre: low.map((x, k) => x / 2 + high[k] / 2)};
-}
-const image = (pose, p) => [0, 4, 8].map(r => pose[r] * p[0] + pose[r + 1] * p[1] + pose[r + 2] * p[2] + pose[r + 3]);
+// Each model in a frame of its own, so that the card's floats hold what doubles were.
 
 const materials = ['--a', '--wrong'].map(() => new THREE.MeshPhongMaterial({flatShading: true, shininess: 8, side: THREE.DoubleSide}));
 const models = data.models.map((model, m) => {
-  const points = [];
-  for (let v = 0; v < model.vertices.length; v += 3) points.push(model.vertices.slice(v, v + 3));
-  const box = boxOf(points), positions = new Float32Array(3 * model.triangles.length);
-  model.triangles.forEach((v, i) => points[v].forEach((x, k) => { positions[3 * i + k] = x - box.centre[k]; }));
+  const points = triples(model.vertices), box = boxOf(points), positions = new Float32Array(3 * model.triangles.length);
+  model.triangles.forEach((v, i) => positions.set(inFrame(box, points[v]), 3 * i));
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
   geometry.computeVertexNormals();
@@ -48,23 +34,17 @@ const models = data.models.map((model, m) => {
 
 function corners(k)
 {
-  return data.frames[k].flatMap((pose, body) => {
-    const {low, high} = models[data.bodies[body]].box;
-    return [0, 1, 2, 3, 4, 5, 6, 7].map(c => image(pose, [0, 1, 2].map(i => (c >> i & 1 ? high : low)[i])));
-  });
+  return data.frames[k].flatMap((pose, body) => cornersOf(models[data.bodies[body]].box).map(p => image(pose, p)));
 }
-const world = boxOf(data.frames.map((_, k) => { const {low, high} = boxOf(corners(k)); return [low, high]; }).flat());
-const extent = Math.max(...world.high.map((x, k) => x - world.low[k])) || 1;
-const inScene = p => p.map((x, k) => (x - world.centre[k]) / extent);
+const world = worldOf(data.frames.flatMap((_, k) => { const {low, high} = boxOf(corners(k)); return [low, high]; }));
 
 function place()
 {
-  const colliding = new Set(data.pairs[state.frame].flat()), matrix = new THREE.Matrix4();
+  const colliding = new Set(data.pairs[state.frame].flat());
   for (const {copies} of models) for (const mesh of copies) mesh.count = 0;
   data.frames[state.frame].forEach((pose, body) => {
     const model = models[data.bodies[body]], mesh = model.copies[colliding.has(body) ? 1 : 0];
-    const at = inScene(image(pose, model.box.centre)), m = pose.map(x => x / extent);
-    mesh.setMatrixAt(mesh.count++, matrix.set(m[0], m[1], m[2], at[0], m[4], m[5], m[6], at[1], m[8], m[9], m[10], at[2], 0, 0, 0, 1));
+    mesh.setMatrixAt(mesh.count++, frameMatrix(model.box, pose, world, image(pose, model.box.centre)));
   });
   for (const {copies} of models) for (const mesh of copies) mesh.instanceMatrix.needsUpdate = true;
 }
@@ -89,7 +69,8 @@ function drawLine()
   if (!width) return;
   line.width = width;
   line.height = height;
-  const paint = line.getContext('2d'), most = Math.max(1, ...data.pairs.map(pairs => pairs.length)), step = width / frameCount;
+  const paint = line.getContext('2d'), step = width / frameCount;
+  const most = data.pairs.reduce((most, pairs) => Math.max(most, pairs.length), 1);
   paint.fillStyle = colourOf('--collide');
   data.pairs.forEach((pairs, k) => {
     const tall = height * pairs.length / most;
@@ -123,7 +104,7 @@ function setFrame(k)
 }
 function fit()
 {
-  camera.fit(boxOf(corners(state.frame).map(inScene)));
+  camera.fit(boxOf(corners(state.frame).map(p => inFrame(world, p))));
   fitted = true;
 }
 function resize()
