@@ -1,8 +1,8 @@
 'use strict';
 // The bodies, where they stand, and what of them collides.
 //
-// Each body is kept in a frame of its own, and what is marked in a pose in a frame of that pose. Their matrices into the
-// scene, which holds all poses, are computed in double.
+// Each body is kept in a frame of its own, and what is marked in a pose in a frame of that pose. Their matrices into
+// the scene, which holds all poses, are computed in double.
 
 const data = JSON.parse(document.getElementById('data').textContent);
 

@@ -16,7 +16,8 @@ function boxOf(points)
 function worldOf(points)
 {
   const box = boxOf(points);
-  if (![box.extent, ...box.centre].every(Number.isFinite)) throw new Error('these coordinates are too large to be drawn');
+  if (![box.extent, ...box.centre].every(Number.isFinite))
+    throw new Error('these coordinates are too large to be drawn');
   return box;
 }
 

@@ -58,9 +58,10 @@ function writeFragment()
 
 const made = {};  // name of layer -> {key, objects}: what stands, and for which state it was made
 const whereTheyStand = ['features', 'contacts', 'left'];  // not where A is moved out to
+const isMovedOut = () => state.out > 0 && outOf(state.pose).some(x => x !== 0);
 function layer(name, key, make)
 {
-  const shown = state.show.has(name) && !(state.out > 0 && whereTheyStand.includes(name));
+  const shown = state.show.has(name) && !(isMovedOut() && whereTheyStand.includes(name));
   if (shown && (!made[name] || made[name].key !== key)) {
     if (made[name]) made[name].objects.forEach(discard);
     made[name] = {key, objects: make()};
@@ -159,6 +160,10 @@ function answerText(answer)
   return String(answer);
 }
 
+const short = x => x === null ? 'beyond the doubles' : Number(x.toPrecision(6));
+// Six digits may not tell two numbers apart.
+const range = numbers => [...new Set(numbers.map(short))].join(' to ');
+
 function raysText()
 {
   const met = data.rays.filter(hitCount).length, faces = data.rays.map(hitCount).reduce((x, y) => x + y, 0);
@@ -168,17 +173,18 @@ function raysText()
 function nearestText(k)
 {
   const [distance, a, b] = [0, 7, 8].map(i => data.nearest[k][i]);
-  return distance === 0 ? '' : 'Distance ' + (distance ?? 'beyond the doubles') + ', ' + a + ' of A to ' + b + ' of B.';
+  return distance === 0 ? '' : 'Distance ' + short(distance) + ', ' + a + ' of A to ' + b + ' of B.';
 }
 
 function motionText(k)
 {
-  const {times, first, holders} = data.motion, at = 't = ' + times[k];
+  const {times, first, holders} = data.motion, at = 't = ' + short(times[k]);
   if (!first) return at + ', they never meet';
-  const when = first[0] === first[1] ? 'at t = ' + first[0] : 'between t = ' + first[0] + ' and ' + first[1];
-  return at + ', first contact ' + when + (holders ? ': ' + holders[0][0] + ' of A, ' + holders[1][0] + ' of B' : '');
+  const what = holders ? ': ' + holders[0][0] + ' of A, ' + holders[1][0] + ' of B' : '';
+  return at + ', first contact at t = ' + range(first) + what;
 }
 
+const percentOut = () => Math.round(100 * state.out) + ' %';
 const sharing = new Map([[-1, 'nothing'], [0, 'points alone'], [1, 'lines'], [2, 'areas']]);
 function relationText(k)
 {
@@ -188,12 +194,15 @@ function relationText(k)
   const solids = data.solids[k];
   if (!solids) return ['Too many leaves are left to tell the relation.', ...own].join(' ');
   const said = ['Relation: ' + solids.relation + '; the surfaces share ' + sharing.get(solids.dimension) + '.'];
-  if (solids.volume !== undefined) said.push('Volume of the overlap: ' + solids.volume + (solids.parts ? '.' : '; its parts are too many to be drawn.'));
+  if (solids.volume !== undefined) said.push('Volume of the overlap: ' + short(solids.volume) + '.');
+  if (solids.parts === null) said.push('Its parts are too many to be drawn.');
   if (solids.out) {
-    const {bounds, exact, first, last} = solids.out, short = x => Number(x.toPrecision(6));
+    const {bounds, exact, first, last} = solids.out;
     said.push(bounds === undefined ? 'First exit of A at ' + short(first) + ', last at ' + short(last) + ' lengths of the direction.'
-              : exact ? 'Depth: ' + short(bounds[1]) + ', the least.' : 'Depth: from ' + bounds[0] + ' to ' + bounds[1] + '.');
+              : exact ? 'Depth: ' + short(bounds[1]) + ', the least.' : 'Depth: ' + range(bounds) + '.');
   }
+  if (isMovedOut())
+    said.push('A is moved ' + percentOut() + ' of the way out. Verdict, overlap and pairs are those of 0 %.');
   return [...said, ...own].join(' ');
 }
 
@@ -224,7 +233,8 @@ function tell()
   element('contacts').textContent = contactsText(k);
   for (const input of document.querySelectorAll('[data-show]')) input.checked = state.show.has(input.dataset.show);
   for (const name of ['pose', 'level', 'opacity', 'shrink', 'out']) element(name).value = state[name];
-  element('out-text').textContent = Math.round(100 * state.out) + ' %';
+  element('out-text').textContent = percentOut();
+  element('to-contact').disabled = featuresOf(k).length === 0;
   element('level-text').textContent = state.level + ' of ' + most;
   const {triangles, lines, points, calls} = renderer.info.render;
   element('state').textContent = JSON.stringify({ready: true, errors, pose: k, poses: poseCount, show: [...state.show], level: state.level, out: state.out, wrong: wrongPoses,
@@ -286,6 +296,7 @@ for (const input of document.querySelectorAll('[data-show]'))
 for (const name of ['pose', 'level', 'opacity', 'shrink', 'out'])
   element(name).addEventListener('input', event => {
     state[name] = Number(event.target.value);
+    if (name === 'out' && fitted) fit();
     changed();
   });
 element('before').addEventListener('click', () => setPose(state.pose - 1));

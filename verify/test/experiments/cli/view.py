@@ -222,6 +222,62 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     check(done["a,self"]["triangles"] > done["a"]["triangles"], "self-intersections add nothing")
     check(differ(done["a,self"]["picture"], done["a"]["picture"]) > 100, "self-intersections do not change the picture")
 
+    # Moved out, A is in the picture, and the page says what belongs to where A was. Else nothing changes.
+    moved = browser.state(out, "pose=0&out=1")
+    said = "A is moved 100 % of the way out. Verdict, overlap and pairs are those of 0 %."
+    check(moved["relation"].endswith(said), f"relation: {moved['relation']}")
+    cameras = [browser.state(along, f"pose=0&out={share}")["camera"] for share in (0, 1)]
+    check(cameras[0] != cameras[1], "A moves out of the picture")
+    touching = [browser.state(out, f"pose=1&out={share}") for share in (0, 1)]
+    check(all(touching[0][what] == touching[1][what] for what in ("triangles", "relation")), f"touching: {touching}")
+
+    # Far from the origin the picture is that near it; so are the marks of a pose when another pose is far away.
+    half = folder / "half.txt"
+    half.write_text("1 0 0 1/2 0 1 0 1/4 0 0 1 1/3\n")
+    def a_cube(name, scale, x):
+        corners = "".join(f"{x + scale * (v & 1)!r} {scale * (v >> 1 & 1)!r} {scale * (v >> 2)!r}\n" for v in range(8))
+        faces = "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"
+        (folder / name).write_text("OFF\n8 6 0\n" + corners + faces)
+        return folder / name
+    def bodies_of(page, fragment):
+        return browser.picture(page, fragment)[90:-80, :-270]
+    here, there = a_cube("here.off", 1., 0.), a_cube("there.off", 1., 1e8)
+    near_pair = view(folder / "here.html", here, here, "--pose-b", half, "--depth")
+    far_pair = view(folder / "there.html", there, there, "--pose-b", half, "--depth")
+    layers = "show=a,b,overlap,way,contacts,tetrahedra,spheres&opacity=0.3"
+    drawn = [bodies_of(page, layers) for page in (near_pair, far_pair)]
+    check(differ(*drawn) < 500, f"far from the origin {differ(*drawn)} pixels differ")
+    (folder / "wide.txt").write_text(half.read_text() + "1 0 0 1e7 0 1 0 1/4 0 0 1 1/3\n")
+    wide = view(folder / "wide.html", here, here, "--pose-b", folder / "wide.txt", "--depth")
+    drawn = [bodies_of(page, "pose=0&show=overlap,left") for page in (near_pair, wide)]
+    check(differ(*drawn) < 500, f"beside a far pose {differ(*drawn)} pixels of marks differ")
+
+    # Sizes beyond single precision, and an overlap beyond the doubles.
+    for name, scale in (("tiny", 1e-50), ("huge", 1e200), ("largest", 1.5e308)):
+        a_cube(f"{name}.off", scale, 0.)
+        two = {"models": {"c": f"{name}.off"}, "bodies": [{"model": "c"}] * 2,
+               "frames": [[[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]] * 2]}
+        (folder / f"{name}.scene.json").write_text(json.dumps(two))
+        picture = browser.picture(view(folder / f"{name}.html", folder / f"{name}.scene.json"))
+        check(hue(picture, "orange") > 500, f"a scene of the size {scale} is blank")
+    state = browser.state(view(folder / "overlap.html", folder / "huge.off", folder / "huge.off"))
+    check("Volume of the overlap: beyond the doubles." in state["relation"], f"relation: {state['relation']}")
+
+    # A body within another has no contact to go to; six digits are shown of numbers.
+    (folder / "within.txt").write_text("1/3 0 0 1/3 0 1/3 0 1/3 0 0 1/3 1/3\n")
+    browser.open(view(folder / "within.html", here, here, "--pose-b", folder / "within.txt"), "")
+    check(browser.driver.execute_script("return element('to-contact').disabled"), "'Go to contact' without a contact")
+    (folder / "third.txt").write_text("1 0 0 4/3 0 1 0 0 0 0 1 0\n")
+    third = browser.state(view(folder / "third.html", here, here, "--pose-b", folder / "third.txt"))
+    check(third["contacts"].startswith("Distance 0.333333, "), f"contacts: {third['contacts']}")
+
+    # The panel does not cover what stands at the left.
+    for width in (641, 730, 820):
+        browser.open(out, "pose=0", size=(width, 600))
+        header, panel = browser.driver.execute_script(
+            "return [document.querySelector('header'), element('panel')].map(x => x.getBoundingClientRect().toJSON())")
+        check(header["right"] <= panel["left"], f"{width} pixels wide, the panel covers the header: {header}, {panel}")
+
     # What each control is for: by the address, then by hand.
     layers = ("edges", "features", "contacts", "left", "covering", "tetrahedra", "spheres", "hull")
     address = {"plain": "pose=1&show=a,b", "a": "pose=1&show=a", "pose 2": "pose=2", "pose 3": "pose=3", "pose 0": "pose=0",
@@ -286,6 +342,10 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     check(hue(together, "orange") > 500 and hue(together, "a") == 0, "bodies that collide are orange")
     drawn = browser.picture(corners)
     check(hue(drawn, "a") > 500 and hue(drawn, "orange") > 500, "bodies of triangles are drawn")
+    # A call takes no more than some 100,000 arguments.
+    browser.open(corners, "")
+    errors = browser.driver.execute_script("data.pairs = Array(300000).fill([]); drawLine(); return errors")
+    check(errors == [], f"a line of 300,000 frames: {errors}")
     shown = browser.play(scene, 20)
     check(shown["errors"] == [] and shown["bodies"] == 200, f"the scene's page: {shown}")
     check(shown["drawn"] >= 20, f"{shown['drawn']} pictures while a scene of 200 bodies played")
