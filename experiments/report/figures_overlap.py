@@ -4,7 +4,7 @@ import html
 
 import matplotlib.pyplot as plt
 
-from report_data import by, distinct, duration
+from report_data import by, distinct, duration, rounded
 from report_page import Source
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, WIDTH
 from tables_queries import rows_and_source, us
@@ -108,7 +108,8 @@ def depths(page):
     draw_widths(axes[1], widths)
     fig.tight_layout(w_pad=1.2)
     body = [(False, [html.escape(r["shape"]), html.escape(r["peer"]), r["pairs"], r["apart"], str(int(r["infinite"]) + int(r["failed"])), r["negative"],
-                     r["off_millionth"], r["off_hundredth"], r["mean_off"] and f"{float(r['mean_off']):.2g}", f"{float(r['most_off']):.2g}", us(r["ns"]), us(r["exact_ns"])])
+                     r["off_millionth"], r["off_hundredth"], r["mean_off"] and rounded(float(r["mean_off"]), 2),
+                     rounded(float(r["most_off"]), 2), us(r["ns"]), us(r["exact_ns"])])
             for r in peers]
     slowest = max(float(r["mean_ns"]) for r in widths)
     yield page.section(

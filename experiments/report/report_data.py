@@ -56,15 +56,20 @@ def percent(x):
     return "0" if x == 0 else f"{100 * x:.2g} %" if x < 0.1 else f"{100 * x:.0f} %"
 
 
+def rounded(x, digits=3):
+    """A number of so many digits, or a whole one: 0.0123, 1.3, 1,310."""
+    return f"{x:.{digits}g}" if abs(x) < 10 ** digits - 0.5 else f"{x:,.0f}"
+
+
 def times(x):
     """A ratio: 0.83, 5.2, 37."""
-    return f"{x:.2g}" if x < 100 else f"{x:,.0f}"
+    return rounded(x, 2)
 
 
 def duration(ns):
     for unit, size in (("ns", 1), ("µs", 1e3), ("ms", 1e6), ("s", 1e9)):
         if ns < 999.5 * size or unit == "s":
-            return f"{ns / size:.3g} {unit}"
+            return f"{rounded(ns / size)} {unit}"
 
 
 def share(wrong, n):

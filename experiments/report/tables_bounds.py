@@ -2,6 +2,7 @@
 
 import html
 import os
+import re
 
 from report_data import read
 from report_page import Source
@@ -18,9 +19,13 @@ def sections(page, study, campaign):
     data = page.table("error_bounds", columns, [[r[c] for c in columns] for r in rows], source)
 
     def number(text):
-        return f"{float(text):.4g}" if text else ""
-    body = [(False, [html.escape(r["constant"]), html.escape(r["file"]), *(number(r[c]) for c in ("unit", "in_code", "proved")), r["proved_by"], html.escape(r["proof"]),
-                     number(r["found"]) or html.escape(r["not_searched"]), number(r["proved_over_found"])]) for r in rows]
+        return f"<span class=whole>{float(text):.4g}</span>" if text else ""
+
+    def name(text):  # its lines end within long names too
+        return re.sub(r"(/|_|::)", r"\1<wbr>", html.escape(text))
+    body = [(False, [name(r["constant"]), name(r["file"]), *(number(r[c]) for c in ("unit", "in_code", "proved")),
+                     r["proved_by"], name(r["proof"]), number(r["found"]) or html.escape(r["not_searched"]),
+                     number(r["proved_over_found"])]) for r in rows]
     head = ["constant", "file", "unit", "in the code", "proved", "by", "proof", "found", "proved / found"]
     yield page.section("bounds", "Error bounds, proved by machine",
                        "<p>Constants by which rounded arithmetic decides or discards, in multiples of the unit. <b>Proved</b>: the least that the "

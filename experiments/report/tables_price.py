@@ -8,7 +8,7 @@ import html
 import os
 import sys
 
-from report_data import by, geometric_mean, interval, share
+from report_data import by, geometric_mean, interval, rounded, share
 from study_data import Study, workload
 
 EXACT, ROUNDED, FCL = ("adaptive tree", "adaptive locator"), ("double tree",), ("FCL OBBRSS",)
@@ -48,14 +48,16 @@ def ratio(price, key):
     if not price[key]:
         return "–"
     low, high = price[key + "_low"], price[key + "_high"]
-    return f"{float(price[key]):.3g}" + (f" ({float(low):.3g} .. {float(high):.3g})" if low else "")
+    return rounded(float(price[key])) + (f" ({rounded(float(low))} .. {rounded(float(high))})" if low else "")
 
 
 def section(page, study, name, title, words, asked, found):
     source = study.source(asked, [r for r in study.rows if r["subject"] in EXACT + ROUNDED + FCL + GENERAL and r["question"] in {p["question"] for p in found}])
     data = page.table(name, list(COLUMNS), [list(p.values()) for p in found], source)
     body = [(False, [p["regime"], f"{html.escape(p['contact'])}<br><small>{p['question']}</small>", f"{p['collisions']:,} of {p['poses']:,}",
-                     f"{float(p['adaptive_us']):.3g}", *(ratio(p, key) for key in ("over_double", "over_fcl", "over_general")), p["exact_signs"],
+                     rounded(float(p["adaptive_us"])),
+                     *(ratio(p, key) for key in ("over_double", "over_fcl", "over_general")),
+                     rounded(float(p["exact_signs"])),
                      *(share(p[w], p["poses"]) if p[w] != "" else "–" for w in ("wrong_double", "wrong_fcl"))]) for p in found]
     head = ["regime", "contact", "collide", "adaptive, µs", "time / double's, same tree", "time / FCL's", "time / general exact stage's", "exact signs a query",
             "wrong: double", "wrong: FCL"]

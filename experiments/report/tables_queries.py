@@ -3,12 +3,12 @@
 import html
 import os
 
-from report_data import read
+from report_data import read, rounded
 from report_page import Source
 
 
 def us(ns):
-    return f"{float(ns) / 1000:.3g}"
+    return rounded(float(ns) / 1000)
 
 
 def rows_and_source(page, name, question):
@@ -49,7 +49,8 @@ TABLES = (
      ["relative size", "clearance", "motion a pose, % of the size", "question", "\u00b5s without", "\u00b5s with", "times faster", "box tests", "with",
       "differ"],
      lambda r: (float(r["times_faster"]) >= 1, [
-         f"1:{float(r['ratio']):g}", f"{100 * float(r['clearance']):g} %", f"{100 * float(r['motion']):.3g}", html.escape(r["question"]),
+         f"1:{float(r['ratio']):g}", f"{100 * float(r['clearance']):g} %", rounded(100 * float(r["motion"])),
+         html.escape(r["question"]),
          us(r["ns_without"]), us(r["ns_with"]), f"{float(r['times_faster']):.2f}", f"{float(r['box_tests_without']):.0f}",
          f"{float(r['box_tests_with']):.0f}", f"{r['differ']} of {r['poses']}"])),
     ("points", "What does a point in a solid cost, and the first hit of a ray?",
@@ -64,13 +65,15 @@ TABLES = (
     ("scenes", "How fast is a frame of many bodies, and who misses what?",
      "Scenes of many bodies",
      "The mean time of a frame after the first, and the pairs that each broad phase lets through. Lost and invented pairs are against the truth in rationals: on all frames of 1,000 bodies, "
-     "on the last frame of more. `tetracone` keeps pairs apart by the gap between them; `CGAL boxes, our queries` asks every pair of boxes anew.",
+     "on the last frame of more. <i>tetracone</i> keeps pairs apart by the gap between them; <i>CGAL boxes, our "
+     "queries</i> asks every pair of boxes anew.",
      ["scene", "model", "triangles", "bodies", "method", "frames", "us_a_frame", "us_first_frame", "ratio", "candidates", "pairs_judged", "lost",
       "invented"],
      ["scene", "model", "bodies", "method", "ms a frame", "first, ms", "ratio", "candidates", "pairs judged", "lost", "invented"],
      lambda r: (r["method"] == "tetracone", [
-         html.escape(r["scene"]), html.escape(r["model"]), r["bodies"], html.escape(r["method"]), f"{float(r['us_a_frame']) / 1000:.3g}",
-         f"{float(r['us_first_frame']) / 1000:.3g}", f"{float(r['ratio']):.2f}", r["candidates"], r["pairs_judged"], r["lost"], r["invented"]])),
+         html.escape(r["scene"]), html.escape(r["model"]), r["bodies"], html.escape(r["method"]),
+         *(rounded(float(r[c]) / 1000) for c in ("us_a_frame", "us_first_frame")), f"{float(r['ratio']):.2f}",
+         r["candidates"], r["pairs_judged"], r["lost"], r["invented"]])),
     ("moving_bodies", "What does the exact first contact of two moving bodies cost, and which contacts do others miss?",
      "Bodies in motion",
      "Each motion of a course asked for its first contact; <b>static N</b> asks at N poses of it. Time is in questions at one pose of the same course, of motions without "
@@ -79,7 +82,7 @@ TABLES = (
      ["course", "triangles", "method", "motions", "contacts", "missed", "invented", "latest", "apart, in static questions", "contact"],
      lambda r: (r["subject"] == "tetracone", [
          html.escape(r["course"]), r["triangles"], html.escape(r["subject"]), r["motions"], r["contacts"], r["missed"], r["invented"],
-         f"{float(r['latest']):.2g}", f"{float(r['apart_in_statics']):.3g}", f"{float(r['contact_in_statics']):.3g}"])),
+         rounded(float(r["latest"]), 2), *(rounded(float(r[c])) for c in ("apart_in_statics", "contact_in_statics"))])),
 )
 
 
