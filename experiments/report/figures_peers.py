@@ -5,8 +5,8 @@ import html
 import os
 
 from race_data import OURS, fitness, is_near, ratio
-from report_data import by, distinct, geometric_mean, interval, read, share, times
-from report_page import Source, again
+from report_data import by, distinct, geometric_mean, interval, read, rounded, share, times
+from report_page import Source, again, of_its_own
 
 EXPERIMENTS = (("peers", "Peers", "How does each library compare, in time and in wrong answers?"),
                ("scaling", "Scaling", "How do time, preparation and memory grow with the number of triangles?"),
@@ -33,7 +33,8 @@ def drawing(page, name, source):
     with open(os.path.join(page.out, base + ".svg"), encoding="utf-8") as file:
         svg = file.read()
     links = [f for f in (base + ".pdf",) if os.path.exists(os.path.join(page.out, f))]
-    return (f'<figure id="{name}-drawn"><div class="drawing on-white">{svg[svg.index("<svg"):]}</div><figcaption '
+    drawn = of_its_own(svg[svg.index("<svg"):], name)
+    return (f'<figure id="figure-{name}"><div class="drawing on-white">{drawn}</div><figcaption '
             f'class=source>{page.made(source, name + ".csv")}'
             + "".join(f' <a href="{f}">PDF</a>.' for f in links) + "</figcaption></figure>")
 
@@ -88,7 +89,7 @@ def number(text):
         value = float(text)
     except (TypeError, ValueError):
         return html.escape(text or "")
-    return text if value == int(value) and len(text) < 9 else f"{value:.4g}"
+    return text if value == int(value) and len(text) < 9 else rounded(value, 4)
 
 
 def sections(page, study, campaign):
@@ -109,4 +110,4 @@ def sections(page, study, campaign):
             table = page.html_table([html.escape(c.replace("_", " ")) for c in columns],
                                     [(False, [number(r[c]) for c in columns]) for r in rows], source, name + ".csv")
             parts.append(f"<details><summary>{len(rows):,} rows</summary>{table}</details>")
-        yield page.section(name, title, *parts)
+        yield page.section(f"experiment-{name}", title, *parts)

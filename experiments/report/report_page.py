@@ -4,6 +4,7 @@ import csv
 import html
 import io
 import os
+import re
 from dataclasses import dataclass, fields, replace
 
 import matplotlib.pyplot as plt
@@ -15,6 +16,17 @@ from report_style import GRID, INK, PAPER, box_of
 def again(rows):
     """The words that made the rows, as these keep them, in the order of the rows."""
     return " && ".join(distinct(r["again"] for r in rows if r.get("again"))) or "not recorded in these rows"
+
+
+def unbroken(cell):
+    """The cell, in which no line ends within "1 of 2", "3 %", "< 4", "5 .. 6" and "7 ×"."""
+    return re.sub(r"(?<=\d) (?=%|×|of \d|\.\. \d)|(?<=\d of) (?=\d)|(?<=\d \.\.) (?=\d)|(?<=&lt;) ",
+                  "\N{NO-BREAK SPACE}", str(cell))
+
+
+def of_its_own(drawing, name):
+    """The SVG with ids that no other drawing of the page has."""
+    return re.sub(r'(\bid="|href="#|url\(#)', rf"\g<1>{name}-", drawing)
 
 
 @dataclass(frozen=True)
@@ -86,12 +98,12 @@ class Page:
         plt.close(fig)
         svg = buffer.getvalue()
         self.write(f"figures/{name}.svg", svg.replace(PAPER, "#ffffff").replace("<svg ", '<svg style="background: #ffffff" ', 1))
-        drawing = svg[svg.index("<svg"):]
+        drawing = of_its_own(svg[svg.index("<svg"):], name)
         for colour, name_of_it in ((INK, "ink"), (GRID, "line"), (PAPER, "paper")):
             drawing = drawing.replace(colour, f"var(--{name_of_it})")
         drawing = drawing.replace("<svg ", f'<svg role="img" aria-label="{html.escape(source.asked)}" ', 1)
         caption = f"<figcaption class=source>{self.made(source, data, name)}</figcaption>"
-        return f'<figure id="{name}"><div class=drawing>{drawing}</div>{caption}</figure>'
+        return f'<figure id="figure-{name}"><div class=drawing>{drawing}</div>{caption}</figure>'
 
     def made(self, source, data, figure=None):
         files = (f'<a href="figures/{figure}.pdf">PDF</a>, ' if figure else "") + f'<a href="{data}">{data}</a>'
@@ -100,13 +112,12 @@ class Page:
                 f"{html.escape(source.version)}, {html.escape(source.compiler)}. <b>Machine:</b> {html.escape(source.machine)}. "
                 f"<b>Files:</b> {files}.")
 
-    def html_table(self, head, body, source=None, data=None, of_text=False):
-        """A table of rows (shaded, cells of HTML), what made it below; one of text has lines that break."""
-        rows = "".join("<tr%s>%s</tr>" % (' class="exact"' if exact else "", "".join(f"<td>{c}</td>" for c in cells))
-                       for exact, cells in body)
-        kind = "scroll wrap" if of_text else "scroll"
+    def html_table(self, head, body, source=None, data=None):
+        """A table of rows (shaded, cells of HTML), what made it below."""
+        rows = "".join("<tr%s>%s</tr>" % (' class="exact"' if exact else "",
+                                          "".join(f"<td>{unbroken(c)}</td>" for c in cells)) for exact, cells in body)
         names = "".join(f"<th>{h}</th>" for h in head)
-        table = f"<div class='{kind}'><table><thead><tr>{names}</tr></thead><tbody>{rows}</tbody></table></div>"
+        table = f"<div class=scroll><table><thead><tr>{names}</tr></thead><tbody>{rows}</tbody></table></div>"
         if source is None:
             return table
         source.check()
