@@ -190,6 +190,6 @@ def sections(page, study, campaign):
                        page.html_table(["subject", f"over {STATED} frames per second for all",
                                         *(f"faster as the relative size grows, {t}" for t in TRAJECTORIES)], beside_the_paper(study),
                                        study.source("Do the paper's two statements hold here?",
-                                                    [r for r in study.rows if r["regime"] == "trajectory"]), "study.csv", of_text=True))
+                                                    [r for r in study.rows if r["regime"] == "trajectory"]), "study.csv"))
     if drawn := stages(page, study):
         yield page.section("stages", "What each stage is worth", drawn)

@@ -20,13 +20,14 @@ h1 { font-size: 1.4rem; margin: 0; line-height: 1.2; } h2 { font-size: 1.2rem; m
 a { color: var(--link); } p { max-width: 60rem; }
 figure { margin: 0.5rem 0 1rem; } .drawing { overflow-x: auto; } .on-white { background: #fff; border-radius: 6px; }
 .drawing svg { width: 100%; min-width: 36rem; max-width: 72rem; height: auto; display: block; }
-.scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.82rem; }
-td { white-space: nowrap; } td:first-child { min-width: 8rem; } td:first-child, td small, .wrap td { white-space: normal; }
+.scroll { overflow-x: auto; width: max-content; min-width: 100%; max-width: min(100vw - 2rem, 110rem); margin-left: 50%;
+  transform: translateX(-50%); }
+table { border-collapse: collapse; font-size: 0.82rem; } td { max-width: 26rem; } td:first-child { min-width: 8rem; }
 .what { display: block; min-width: 12rem; }
-th, td { padding: 0.2rem 0.55rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+th, td { padding: 0.2rem 0.4rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 tr.exact td { background: var(--shade); }
 .source, .note { font-size: 0.78rem; line-height: 1.4; } .source { opacity: 0.85; overflow-wrap: anywhere; max-width: none; }
-code { font-size: 0.92em; overflow-wrap: anywhere; }
+.whole { white-space: nowrap; } code { font-size: 0.92em; overflow-wrap: anywhere; }
 pre { overflow-x: auto; font-size: 0.8rem; padding: 0.6rem; border: 1px solid var(--line); border-radius: 6px; white-space: pre-wrap; }
 .claim { font-size: 1.02rem; margin: 0.2rem 0; max-width: none; }
 #verdicts { margin: 0.4rem 0 0; } #opening figure { margin-bottom: 0.2rem; }
@@ -40,7 +41,8 @@ nav { font-size: 0.8rem; } nav a { margin-right: 0.8rem; white-space: nowrap; di
   @page { size: A4; margin: 14mm; }
   body { max-width: none; padding: 0; font-size: 9.5pt; } nav { display: none; } a { text-decoration: none; }
   .drawing, .scroll { overflow: visible; } .drawing svg { min-width: 0; } table { font-size: 6.2pt; }
-  td, th { padding: 1pt 3pt; } td { white-space: normal; } td:first-child, .what { min-width: 0; }
+  .scroll { width: auto; max-width: none; margin: 0; transform: none; }
+  td, th { padding: 1pt 3pt; } td:first-child, .what { min-width: 0; }
   figure, .verdicts li, tr { break-inside: avoid; } h2, h2 + p { break-after: avoid; } thead { display: table-header-group; }
 }
 """
