@@ -44,7 +44,8 @@ def work(page, study):
             axis.text(max(value, ticks[0] / 2) * 1.12, y, text, va="center", fontsize=6.5)
         axis.set_xscale("symlog", linthresh=ticks[0], linscale=0.3)
         axis.set_xlim(0, ticks[-1] * 8)
-        axis.set_xticks([0, *ticks], ["0", *((f"{100 * t:g} %" if index == 1 else f"{t:g}") for t in ticks)], fontsize=6)
+        labels = [f"{100 * t:g} %" if index == 1 else f"{t:g}" for t in ticks[1:]]  # the first would stand on the 0
+        axis.set_xticks([0, *ticks], ["0", "", *labels], fontsize=6)
         axis.minorticks_off()
         axis.set_xlabel(label)
         axis.grid(True, axis="x")
