@@ -7,7 +7,7 @@ from collections import defaultdict
 import matplotlib.pyplot as plt
 
 from campaign_data import DOUBLES, EXACTLY, FRACTIONS, NOT_NEAR, PANEL, REGIME, is_exact
-from report_data import by, distinct, method_of, percent, share, wilson, wrong_in
+from report_data import by, distinct, method_of, percent, share, short, wilson, wrong_in
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, WIDTH, label_ends
 
 # (subject, name, colour, dashes). Brute force has no tree to lose a pair in: its errors are those of the signs alone.
@@ -75,22 +75,30 @@ def binned(rows, subject, key):
     return [(b, wrong, n) for b, (wrong, n) in sorted(bins.items()) if n >= 10]
 
 
+PANELS = (("object", "surface", OBJECTS, "two bodies"),
+          ("predicate", "segment-triangle", KERNELS, "segment and triangle, by kernel"),
+          ("predicate", "segment-triangle", FORMULATIONS, "segment and triangle in double, by formulation"))
+
+
+def points_of(campaign, level, question, curves):
+    """The points of each curve of a panel that has any, by its axis and subject."""
+    rows = [r for r in campaign.tables["distance"] if (r["level"], r["question"]) == (level, question)]
+    return {(key, subject): points for key in LOW for subject, *_ in curves if (points := binned(rows, subject, key))}
+
+
 def by_distance(page, campaign):
-    rows = campaign.tables["distance"]
-    levels = (("object", "surface", OBJECTS, "two bodies"), ("predicate", "segment-triangle", KERNELS, "segment and triangle, by kernel"),
-              ("predicate", "segment-triangle", FORMULATIONS, "segment and triangle in double, by formulation"))
-    levels = [level for level in levels if any((r["level"], r["question"]) == level[:2] for r in rows)]
-    fig, axes = plt.subplots(len(levels), 2, figsize=(WIDTH, 2.15 * len(levels) + 0.25), sharey=True, squeeze=False)
-    lines, asked = [], 0
-    for k, (row, (level, question, curves, title)) in enumerate(zip(axes, levels)):
-        mine = [r for r in rows if (r["level"], r["question"]) == (level, question)]
-        asked += sum(int(r["n"]) for r in mine if r["axis"] == "rho")
+    panels = [(*panel, points) for panel in PANELS if (points := points_of(campaign, *panel[:3]))]
+    if not panels:
+        return ""
+    fig, axes = plt.subplots(len(panels), 2, figsize=(WIDTH, 2.15 * len(panels) + 0.25), sharey=True, squeeze=False)
+    lines, asked = [], {}
+    for k, (row, (level, question, curves, title, points_of_panel)) in enumerate(zip(axes, panels)):
         for axis, key, label in ((row[0], "rho", "log₂ of the relative determinant"), (row[1], "ulps", "log₂ of the distance in ulps")):
             rate_axis(axis)
             named = []
             for subject, name, colour, dashes in curves:
-                points = binned(mine, subject, key)
-                if points:
+                if points := points_of_panel.get((key, subject)):
+                    asked[level, question, subject] = sum(n for _, _, n in points)
                     draw_curve(axis, points, colour, dashes, at_gap=LOW[key] - APART[key], widest=2 * STEP[key])
                     named.append(plt.Line2D([], [], color=colour, ls=dashes or "-", lw=1.4, label=name))
                     lines += [[level, question, key, subject, "exact" if b == LOW[key] - APART[key] else b, wrong, n,
@@ -102,12 +110,13 @@ def by_distance(page, campaign):
             if axis is row[1]:
                 axis.legend(handles=named, loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize=6.5,
                             labelcolor="linecolor", handlelength=1.8)
-            if k == len(levels) - 1:
+            if k == len(panels) - 1:
                 axis.set_xlabel(label)
         row[0].set_title(title, loc="left")
         row[0].set_ylabel("wrong answers")
     fig.tight_layout()
-    source = campaign.source("How does the share of wrong answers grow as the nearest sign comes near zero?", f"{asked:,} answers")
+    source = campaign.source("How does the share of wrong answers grow as the nearest sign comes near zero?",
+                             f"{sum(asked.values()):,} answers")
     data = page.table("errors_by_distance", ["level", "question", "axis", "subject", "bin", "wrong", "asked", "low_95", "high_95"], lines,
                       source)
     return page.figure("errors_by_distance", fig, source, data)
@@ -138,21 +147,32 @@ def far_from_zero(campaign):
 SWEEPS = (("far-from-origin", "translation from the origin", lambda x: f"2^{x:.0f}"),
           ("mixed-scales", "ratio of scales", lambda x: f"2^{x:.0f}"),
           ("sliver", "height of a sliver", lambda x: f"2^-{x:.0f}"))
+CURVES = (("by kernel", KERNELS), ("in double, by formulation", FORMULATIONS))
 
 
 def by_parameter(page, campaign):
-    rows = [r for r in campaign.tables["sweeps"] if r["level"] == "predicate" and r["question"] == "segment-triangle"]
-    if not rows:
+    found = defaultdict(list)
+    for r in campaign.tables["sweeps"]:
+        if (r["level"], r["question"]) == ("predicate", "segment-triangle"):
+            n = int(r["n"])
+            found[r["family"], r["subject"]].append((float(r["parameter"]), round(float(r["rate"]) * n), n))
+
+    def has_points(sweeps, curves):
+        return any((family, subject) in found for family, *_ in sweeps for subject, *_ in curves)
+    sweeps = [sweep for sweep in SWEEPS if has_points([sweep], KERNELS + FORMULATIONS)]
+    groups = [group for group in CURVES if has_points(sweeps, group[1])]
+    if not groups:
         return ""
-    fig, axes = plt.subplots(2, len(SWEEPS), figsize=(WIDTH, 4.3), sharey=True)
+    fig, axes = plt.subplots(len(groups), len(sweeps), figsize=(WIDTH, 0.3 + 2 * len(groups)), sharey=True,
+                             squeeze=False)
     lines, ends, asked = [], [], 0
-    for k, (curves, row) in enumerate(zip((KERNELS, FORMULATIONS), axes)):
-        for axis, (family, label, text) in zip(row, SWEEPS):
+    for k, ((title, curves), row) in enumerate(zip(groups, axes)):
+        row[0].set_title(title, loc="left")
+        for axis, (family, label, text) in zip(row, sweeps):
             rate_axis(axis)
             named = []
             for subject, name, colour, dashes in curves:
-                points = sorted((float(r["parameter"]), round(float(r["rate"]) * int(r["n"])), int(r["n"])) for r in rows
-                                if (r["family"], r["subject"]) == (family, subject))
+                points = sorted(found.get((family, subject), ()))
                 if not points:
                     continue
                 x, y = draw_curve(axis, points, colour, dashes)
@@ -161,17 +181,15 @@ def by_parameter(page, campaign):
                 lines += [[family, p, subject, wrong, n, *(f"{v:.6g}" for v in wilson(wrong, n))] for p, wrong, n in points]
                 axis.set_xticks([p for p, _, _ in points], [f"$\\mathdefault{{{text(p).replace('^', '^{')}}}}}$" for p, _, _ in points],
                                 fontsize=6.5)
-            if k == 1:
+            if k == len(groups) - 1:
                 axis.set_xlabel(label)
         row[0].set_ylabel("wrong answers")
         ends.append((row[-1], named))
-    axes[0][0].set_title("by kernel", loc="left")
-    axes[1][0].set_title("in double, by formulation", loc="left")
     fig.tight_layout(rect=(0, 0, 0.84, 1), w_pad=0.4)
     for axis, named in ends:
         label_ends(axis, named)
-    source = campaign.source("How does segment against triangle fail far from the origin, between scales, and on slivers?",
-                             f"{asked:,} answers")
+    labels = ", ".join(label for _, label, _ in sweeps)
+    source = campaign.source(f"How does segment against triangle fail, by {labels}?", f"{asked:,} answers")
     data = page.table("errors_by_parameter", ["family", "parameter", "subject", "wrong", "asked", "low_95", "high_95"], lines, source)
     return page.figure("errors_by_parameter", fig, source, data)
 
@@ -221,6 +239,8 @@ def families(page, campaign):
     """Object level: share of wrong answers by family, for one method of each kernel and the peers."""
     rows = [r for r in campaign.rows("object") if int(r["n"]) and campaign.is_known(r)]
     names = [s for s in distinct(r["subject"] for r in rows) if method_of(s) in ("tree", "peer")]
+    if not names:
+        return ""
     count, body = campaign.wrong_by(rows, "family", "poses", "subject"), []
     for family, poses in distinct((r["family"], r["poses"]) for r in rows):
         cells = [html.escape(family) + (" <small>with fractions</small>" if poses == FRACTIONS else "")]
@@ -229,7 +249,7 @@ def families(page, campaign):
             cells.append("–" if n == 0 else "0" if wrong == 0 else f"<b>{percent(wrong / n)}</b>")
         body.append((False, cells))
     source = campaign.source("Which families does each subject get wrong, the questions that it knows together?", campaign.answers(rows))
-    return page.html_table(["family"] + [html.escape(s) for s in names], body, source, "tables/verify_poses.csv")
+    return page.html_table(["family"] + [html.escape(short(s)) for s in names], body, source, "tables/verify_poses.csv")
 
 
 def described_families(page, campaign):
@@ -239,7 +259,7 @@ def described_families(page, campaign):
                      html.escape(r["sweep"]), PANEL.get(REGIME.get(r["family"]), REGIME.get(r["family"], "–")) if "object" in r["levels"].split() else ""]) for r in rows]
     source = campaign.source("What is each family of cases?", f"{len(rows)} families").about(command="build/tetracone verify --list")
     return page.html_table(["family", "levels that ask it", "what its cases have in common", "parameter", "its values", "panel"], body, source,
-                           "tables/verify_families.csv", of_text=True)
+                           "tables/verify_families.csv")
 
 
 def failures(page, campaign):
@@ -256,33 +276,91 @@ def failures(page, campaign):
     return page.html_table(["level", "subject", "how", "failures", "last line of standard error"], body, source, "tables/verify_failures.csv")
 
 
+# A section of each level that was asked: the level, its title and its words.
+LEVELS = (
+    ("object", "Objects: whether two bodies collide",
+     "<i>surface</i> asks whether the surfaces share a point, <i>solid</i> whether the solids do."),
+    ("predicate", "Predicates",
+     "The same families as seven points, by predicate. Answers higher than the truth are invented, lower ones missed."),
+    ("features", "Features: which faces and edges of two bodies meet",
+     "An answer is a list of pairs. It is missed where a true pair is not in it, invented where one more is."),
+    ("contacts", "Contacts: what two bodies share, piece by piece",
+     "An answer is a list of points, segments and polygons. It is missed where a true one is not in it, invented "
+     "where one more is."),
+    ("distances", "Distances",
+     "An answer makes several statements: the square, the nearest points, the rounded root, and limits beside it. It "
+     "is missed where one is wrong. Of a subject that tells one double, the counts are of doubles that are too small "
+     "and too large."),
+    ("points", "Points: inside, outside or on the boundary",
+     "Answers higher than the truth are invented, lower ones missed."),
+    ("rays", "Rays: which faces they meet",
+     "<i>first</i>: the first face with its place; <i>hits</i>: all faces with their places; <i>faces</i>: all faces. "
+     "An answer is missed where a true one is not in it, invented where one more is."),
+    ("scenes", "Scenes of many bodies: which pairs collide",
+     "An answer is the list of pairs in a frame. It is missed where a true pair is not in it, invented where one more "
+     "is."),
+    ("motions", "Bodies in motion: who finds the first contact",
+     "<i>surface</i>, <i>solid</i>: whether they meet. <i>time</i>: of those that meet and are said to, whether the "
+     "first contact is told as it is. No tolerance is granted. The doubles about it are right, or one of them where a "
+     "subject tells one time. Missed times are early ones, invented ones late."),
+    ("relations", "Relations: how two solids lie to each other, and how much they overlap",
+     "<i>relation</i>: which of the relations holds; <i>dimension</i>: that of their contact; <i>overlap</i>: volume, "
+     "centroid, contact vector and contact area. An answer is missed where one of its statements is wrong."),
+    ("exits", "Exits: how far one solid moves until it leaves the other, and how deep it is",
+     "The first and the last exit along a direction, each as a fraction and a double, and the brackets of the depth. "
+     "An answer is missed where one of its statements is wrong."))
+
+
+def of_all_levels(page, campaign):
+    """A line a level: what was asked of it, and how much of that was wrong."""
+    every = [r for r in campaign.tables["poses"] if campaign.is_known(r)]
+    truths, poses, body = by(campaign.tables["truth"], "level"), by(every, "level"), []
+    for level, *_ in LEVELS:
+        cases, rows = truths[level,], poses[level,]
+        if cases:
+            counts = [len({r["family"] for r in cases}), sum(int(r["n"]) for r in cases),
+                      sum(int(r["by_construction"]) for r in cases), len({r["subject"] for r in rows})]
+            wrong = [share_with_kinds([r for r in rows if is_exact(r["subject"]) == exact]) for exact in (True, False)]
+            body.append((False, [level, *(f"{n:,}" for n in counts), *wrong]))
+    count = len({r["family"] for r in campaign.tables["truth"]})
+    source = campaign.source("How much was asked at each level, and how much was wrong?", campaign.answers(every))
+    head = ["level", "families and sequences", "truths", "also known by construction", "subjects",
+            "wrong: exact subjects", "wrong: the others"]
+    return (f"<p>{count} families and sequences of frames sweep from far from degenerate to exactly degenerate. "
+            "Each truth is computed twice. The two formulations share the polyhedron, the exact entries of poses and "
+            "GMP alone.</p>"
+            + page.html_table(head, body, source, "tables/verify_poses.csv"))
+
+
+def contradictions(campaign, level):
+    """How often the answers of exact subjects, and of the others, violate a relation at this level."""
+    rows = [r for r in campaign.tables["relations"] if r["level"] == level and int(r["tried"])]
+    shares = [f"{name} {share(sum(int(r['violated']) for r in mine), sum(int(r['tried']) for r in mine))}"
+              for name, right in (("exact subjects", True), ("the others", False))
+              if (mine := [r for r in rows if is_exact(r["subject"]) == right])]
+    return f"<p>Relations between a subject's own answers are violated: {', '.join(shares)}.</p>" if shares else ""
+
+
 def sections(page, study, campaign):
     if not campaign:
         return
-    truths = campaign.tables["truth"]
-    cases, known = sum(int(r["n"]) for r in truths), sum(int(r["by_construction"]) for r in truths)
-    yield page.section("distance", "Where methods fail: near zero",
-                       "<p>The distance is that of the nearest of the signs which decide a case, in exact arithmetic; <i>exact</i> is "
-                       "exact degeneracy. Bars are 95 % intervals; bins of fewer than ten cases are left out.</p>",
-                       by_distance(page, campaign), far_from_zero(campaign))
+    if drawn := by_distance(page, campaign):
+        yield page.section("distance", "Where methods fail: near zero",
+                           "<p>The distance is that of the nearest of the signs which decide a case, in exact "
+                           "arithmetic; <i>exact</i> is exact degeneracy. Bars are 95 % intervals; bins of fewer than "
+                           "ten cases are left out.</p>",
+                           drawn, far_from_zero(campaign))
     if drawn := by_parameter(page, campaign):
         yield page.section("parameters", "Where methods fail: far out, across scales, on slivers", drawn)
-    yield page.section("campaign", "The campaign: every subject on every family",
-                       f"<p>{cases:,} truths, each computed twice by formulations that share the polyhedron, the poses' entries and GMP alone, {known:,} of them also known by "
-                       f"construction. {len(campaign.families('object')) or len(campaign.families('predicate'))} families, and sequences "
-                       f"of frames in exact contact, sweep from far from degenerate to exactly degenerate.</p>",
-                       of_both_poses(page, campaign, "object"), failures(page, campaign))
-    if campaign.rows("predicate"):
-        yield page.section("predicates", "Predicates", "<p>The same families as seven points, by predicate. Answers higher than the truth "
-                           "are invented, lower ones missed.</p>", of_both_poses(page, campaign, "predicate"))
-    if campaign.rows("motions"):
-        yield page.section("motions", "Bodies in motion: who finds the first contact",
-                           f"<p>{len(campaign.families('motions'))} families of two bodies in motion. <i>surface</i>, <i>solid</i>: whether they meet; <i>time</i>: "
-                           "of those that meet and are said to, whether the first contact is told as it is, without any tolerance: the doubles about it, or of a subject that tells "
-                           "one time, one of these. Missed times are early ones, invented ones late.</p>", of_both_poses(page, campaign, "motions"))
-    yield page.section("families", "Which family breaks whom",
-                       "<p>Each subject is counted by the questions that it knows: a library of surfaces by those of surfaces. "
-                       "Cases whose poses have fractions are rows of their own.</p>", families(page, campaign))
+    yield page.section("campaign", "The campaign: every subject on every family", of_all_levels(page, campaign),
+                       failures(page, campaign))
+    for level, title, words in LEVELS:
+        if drawn := of_both_poses(page, campaign, level):
+            yield page.section(f"level-{level}", title, f"<p>{words}</p>", drawn, contradictions(campaign, level))
+    if drawn := families(page, campaign):
+        yield page.section("families", "Which family breaks whom",
+                           "<p>Each subject is counted by the questions that it knows: a library of surfaces by those "
+                           "of surfaces. Cases whose poses have fractions are rows of their own.</p>", drawn)
     if campaign.tables["families"]:
         yield page.section("family-list", "What the families are",
                            "<p>The generators of cases. A family's parameter takes its values in turn; the panel is where the charts of the "

@@ -147,7 +147,7 @@ def claim(study, campaign):
         rows = [r for r in campaign.rows("object", DOUBLES) if (REGIME.get(r["family"]), r["question"]) == ("exactly degenerate", "surface")]
         points = {subject: count for (subject,), count in campaign.wrong_by(rows, "subject").items()}
     parts = [f"{name} {percent(points[subject][0] / points[subject][1])}" for subject, name in OTHERS
-             if subject in points and points[subject][1]]
+             if subject in points and points[subject][0]]
     return text + (f" In exactly degenerate contact others are wrong: {', '.join(parts)}." if parts else "")
 
 
@@ -211,8 +211,9 @@ def verdicts(study, campaign):
                                if method_of(s) == "peer" and s not in subjects]
     first = sorted((s for s in subjects if is_exact(s)), key=lambda s: not s.startswith("adaptive"))
     lines = [(s, verdict(s, study, campaign)) for s in first + [s for s in subjects if s not in first]]
-    return "<ul class=verdicts>" + "".join(f'<li{" class=exact" if is_exact(s) else ""}><b>{html.escape(s)}</b>: {text}.</li>'
-                                           for s, text in lines if text) + "</ul>"
+    items = "".join(f'<li{" class=exact" if is_exact(s) else ""}><b>{html.escape(s)}</b>: {text}.</li>'
+                    for s, text in lines if text)
+    return f"<ul class=verdicts>{items}</ul>" if items else ""
 
 
 def summary(page, study):

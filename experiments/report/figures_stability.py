@@ -21,8 +21,12 @@ def flips(page, campaign):
     subjects = [s for s in distinct(r["subject"] for r in rows) if method_of(s) in ("tree", "peer")
                 and not all(int(r["wrong"]) == int(r["frames"]) for r in rows if r["subject"] == s)]
     subjects.sort(key=lambda s: (is_exact(s), method_of(s) == "tree", s))
-    kinds = ["sliding", "rolling", "sweeping into contact"]
-    fig, axes = plt.subplots(1, 3, figsize=(WIDTH, 0.75 + 0.17 * len(subjects)), sharey=True, sharex=True)
+    asked = {kind_of(r["sequence"]) for r in rows if r["subject"] in subjects and int(r["frames"]) > 1}
+    kinds = [kind for kind in ("sliding", "rolling", "sweeping into contact") if kind in asked]
+    if not kinds:
+        return ""
+    fig, (axes,) = plt.subplots(1, len(kinds), figsize=(WIDTH, 0.75 + 0.17 * len(subjects)), sharey=True, sharex=True,
+                                squeeze=False)
     lines = []
     for axis, kind in zip(axes, kinds):
         for y, subject in enumerate(subjects):
@@ -46,7 +50,7 @@ def flips(page, campaign):
         axis.grid(True)
     axes[0].set_yticks(range(len(subjects)), subjects)
     axes[0].set_ylim(len(subjects) - 0.4, -0.6)
-    axes[1].set_xlabel("flips of the answer per thousand frames, beyond those of the truth")
+    axes[len(kinds) // 2].set_xlabel("flips of the answer per thousand frames, beyond those of the truth")
     fig.tight_layout(w_pad=0.5)
     source = campaign.source("How often does the answer flip from frame to frame in exact contact, although the truth does not?",
                              f"{sum(line[2] for line in lines):,} pairs of neighbouring frames")
@@ -95,11 +99,11 @@ def thresholds(page):
 
 
 def sections(page, study, campaign):
-    if campaign and campaign.tables["flips"]:
+    if drawn := flips(page, campaign):
         yield page.section("stability", "Stability: flickering in contact",
                            "<p>Sequences of frames whose contact is exact: the truth stays, or changes once. An answer that comes and goes "
                            "between frames shows as flicker or tunnelling. Bars: 95 % intervals. Subjects that were wrong in every frame "
-                           "are left out of the drawing.</p>", flips(page, campaign))
+                           "are left out of the drawing.</p>", drawn)
     if drawn := thresholds(page):
         yield page.section("thresholds", "Stability: the smallest change that matters",
                            "<p>A body is moved towards another by single doubles: between two neighbours the exact answer changes. Each "

@@ -85,7 +85,7 @@ def heatmap(axis, rates, rows, columns):
         for j in range(len(columns)):
             rate = rates[i][j]
             colour = INK if not rate else "#ffffff" if min(1, rate) ** 0.4 > 0.5 else "#000000"
-            text = "–" if rate is None else "0" if rate == 0 else f"{100 * rate:.2g}" if rate < 0.1 else f"{100 * rate:.0f}"
+            text = "–" if rate is None else f"{100 * rate:.0f}" if rate == 0 or rate >= 0.01 else f"{100 * rate:.1g}"
             axis.text(j, i, text, ha="center", va="center", fontsize=6, color=colour)
     axis.set_yticks(range(len(rows)), rows, fontsize=6.5)
     axis.set_xticks(range(len(columns)), [textwrap.fill(c, 48) for c in columns], fontsize=6, rotation=55, ha="left",
@@ -96,8 +96,7 @@ def heatmap(axis, rates, rows, columns):
         spine.set_visible(False)
 
 
-def relations(page, campaign):
-    rows = [r for r in campaign.tables["relations"] if int(r["tried"])]
+def relations(page, campaign, rows):
     relations, lines = distinct(sorted(r["relation"] for r in rows)), []
     levels = [level for level in ("object", "predicate") if any(r["level"] == level for r in rows)]
     names = {level: sorted(distinct(r["subject"] for r in rows if r["level"] == level), key=lambda s: (is_exact(s), s)) for level in levels}
@@ -150,13 +149,13 @@ def sections(page, study, campaign):
                            "<p>The query is run with its first stages in the subject's arithmetic and the rest exact, with one rounded "
                            "stage more at a time: the stage with which the answer first differs from the truth is to blame.</p>",
                            blame(page, campaign))
-    if campaign and campaign.tables["relations"]:
-        rows = campaign.tables["relations"]
+    rows = [r for r in campaign.tables["relations"] if r["level"] in ("object", "predicate") and int(r["tried"])]
+    if rows:
         mine = [r for r in rows if is_exact(r["subject"])]
         exact = sum(int(r["violated"]) for r in mine), sum(int(r["tried"]) for r in mine)
         yield page.section("metamorphic", "Metamorphic relations",
                            f"<p>Violations need no truth: the subject contradicts itself. Exact subjects: {share(*exact)}. Green: no "
-                           f"violation.</p>", relations(page, campaign))
+                           f"violation.</p>", relations(page, campaign, rows))
     if campaign.compilers:
         yield page.section("flags", "Compilers and flags", "<p>Signs of four points by flags: contraction of products and sums alone "
                            "breaks signs. Green: none wrong.</p>", compiler_matrix(page, campaign))

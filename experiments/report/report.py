@@ -77,8 +77,11 @@ def in_processes(tasks):
 def page_of(page, study, campaign):
     (drawn,), *of_modules = in_processes([lambda sections=sections: list(sections(page, study, campaign))
                                           for sections in (chart, *(module.sections for module in MODULES))])
-    opening = (f'<p class="claim">{figures_speed.claim(study, campaign)}</p>{drawn}<h2 id="verdicts">The verdict</h2>'
-               f"{figures_speed.verdicts(study, campaign)}{report_methods.KEY_OF_CHART}")
+    opening = f'<p class="claim">{figures_speed.claim(study, campaign)}</p>{drawn}'
+    if verdicts := figures_speed.verdicts(study, campaign):
+        opening += f'<h2 id="verdicts">The verdict</h2>{verdicts}'
+    if drawn:
+        opening += report_methods.KEY_OF_CHART
     sections = [section for of_module in of_modules for section in of_module]
     sections += report_methods.sections(page, study, campaign)
     return report_methods.frame(opening, sections)
