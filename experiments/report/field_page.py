@@ -11,10 +11,15 @@ REGIMES = {"metres": "metres", "ladder": "ladder", "lego": "lego", "clear": "cle
            "sequences": "sliding", "nested": "nested"}
 OURS = ("adaptive tree", "double tree", "float tree")
 STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; max-width: 1340px; margin: 2em auto; padding: 0 1em; color: #222 }
-table { border-collapse: collapse; margin: 1em 0; font-size: 12px } th, td { padding: 2px 3px; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap }
-th { font-weight: 600; vertical-align: bottom; white-space: normal } td:first-child, th:first-child { text-align: left } .group td { font-weight: 600; background: #f2f2f2; text-align: left }
-.cell { border-left: 2px solid #fff } .strip td:first-child { min-width: 24em } .none { color: #bbb } .note { color: #555; max-width: 75em } .bad { background: #e8a090 } .ours { font-style: italic }
+:root { color-scheme: light dark; --ink: #222; --paper: #fff; --line: #ddd; --shade: #f2f2f2; --faint: #bbb;
+  --note: #555; --best: #2c5f9e; --other: #999; --wrong: #e8a090; --missed: 224 123 108; --invented: 127 168 217 }
+@media (prefers-color-scheme: dark) { :root { --ink: #e8e8e8; --paper: #16181b; --line: #3a3f45; --shade: #24282d;
+  --faint: #666; --note: #aaa; --best: #7cb0f0; --other: #888; --wrong: #8c3f30; --missed: 158 62 48; --invented: 46 92 150 } }
+body { font: 15px/1.45 system-ui, sans-serif; max-width: 1340px; margin: 2em auto; padding: 0 1em }
+body { color: var(--ink); background: var(--paper) } svg { fill: var(--ink) }
+table { border-collapse: collapse; margin: 1em 0; font-size: 12px } th, td { padding: 2px 3px; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap }
+th { font-weight: 600; vertical-align: bottom; white-space: normal } td:first-child, th:first-child { text-align: left } .group td { font-weight: 600; background: var(--shade); text-align: left }
+.cell { border-left: 2px solid var(--paper) } .strip td:first-child { min-width: 24em } .none { color: var(--faint) } .note { color: var(--note); max-width: 75em } .bad { background: var(--wrong) } .ours { font-style: italic }
 .bar { display: inline-block; height: 9px; background: #7a9cc0 } .text { text-align: left; white-space: normal; overflow-wrap: break-word } .text.long { min-width: 22em } figure { margin: 1em 0 }
 """
 
@@ -31,10 +36,12 @@ def number(row, *keys):
     return sum(int(row[k] or 0) for k in keys)
 
 
-def shade(share, colour):
-    """A colour from white at 0 to `colour` at a share of 60 % and more, by its root, so that few errors are seen."""
+def shade(share, kind):
+    """The colour of what is "missed" or "invented", none at a share of 0 and whole at 60 % and more.
+
+    It grows with the root of the share, so that few errors are seen."""
     weight = min(1, math.sqrt(share / 0.6)) if share > 0 else 0
-    return "#" + "".join(f"{round(255 + (int(colour[k:k + 2], 16) - 255) * weight):02x}" for k in (0, 2, 4))
+    return f"rgb(var(--{kind}) / {weight:.3g})"
 
 
 def percent(hits, n):
@@ -66,7 +73,7 @@ def name_of(field, subject):
 def cell(missed, invented, failed, n):
     if n == 0:
         return '<td class="none">.</td>'
-    left, right = shade(missed / n, "e07b6c"), shade(invented / n, "7fa8d9")
+    left, right = shade(missed / n, "missed"), shade(invented / n, "invented")
     title = f"{missed} missed, {invented} invented, {failed} failed of {n}: wrong {percent(missed + invented, n)}"
     failures = f"+{failed}f" if failed else ""
     return (f'<td class="cell" title="{title}" style="background: linear-gradient(90deg, {left} 50%, {right} 50%)">'
@@ -143,9 +150,9 @@ def ladder(field):
 
     for panel, (what, title) in enumerate((("gap", "largest gap called contact"), ("overlap", "largest overlap missed"))):
         out = [f'<g transform="translate({panel * width} 0)"><text x="{width / 2}" y="14" text-anchor="middle">{title}, share of the size</text>']
-        out.append(f'<rect x="60" y="{y(-23):.1f}" width="{width - 90}" height="{y(-25) - y(-23):.1f}" fill="#ddd"/>')
+        out.append(f'<rect x="60" y="{y(-23):.1f}" width="{width - 90}" height="{y(-25) - y(-23):.1f}" fill="var(--line)"/>')
         for e in (0, -10, -20, -30, -40, -50):
-            out.append(f'<line x1="60" x2="{width - 30}" y1="{y(e):.1f}" y2="{y(e):.1f}" stroke="#eee"/><text x="54" y="{y(e) + 4:.1f}" text-anchor="end">2^{e}</text>')
+            out.append(f'<line x1="60" x2="{width - 30}" y1="{y(e):.1f}" y2="{y(e):.1f}" stroke="var(--line)"/><text x="54" y="{y(e) + 4:.1f}" text-anchor="end">2^{e}</text>')
         for s in sizes:
             out.append(f'<text x="{x[s]:.1f}" y="{height - 22}" text-anchor="middle">2^{s} m</text>')
         lines = {}
@@ -182,7 +189,7 @@ def rounding(field):
         for subject, what in kinds:
             rows = [r for r in field.of("grid", subject=subject, regime=what) if low <= int(r["size"]) <= high]
             n, bad = sum(number(r, "n") for r in rows), sum(number(r, "invented", "missed") for r in rows)
-            colour = shade(bad / n if n else 0, "7fa8d9" if what == "gap" else "e07b6c")
+            colour = shade(bad / n if n else 0, "invented" if what == "gap" else "missed")
             body += f'<td style="background: {colour}" title="{percent(bad, n)}">{bad}<small> /{n}</small></td>' if n else '<td class="none">.</td>'
         body += "</tr>"
     head = "".join(f"<th>{s} rounded:<br>{'gap called contact' if w == 'gap' else 'overlap missed'}</th>" for s, w in kinds)
@@ -229,10 +236,10 @@ def scatter(field, kind):
         return height - 40 + (math.log10(share) + 4) / 4 * (60 - height)
     out = [f'<text x="60" y="12">{kind}</text><text x="60" y="{height - 4}">microseconds a pose, by its own clock</text>']
     for e in range(low, high + 1):
-        out.append(f'<line x1="{x(10 ** e):.0f}" x2="{x(10 ** e):.0f}" y1="20" y2="{height - 40}" stroke="#eee"/>'
+        out.append(f'<line x1="{x(10 ** e):.0f}" x2="{x(10 ** e):.0f}" y1="20" y2="{height - 40}" stroke="var(--line)"/>'
                    f'<text x="{x(10 ** e):.0f}" y="{height - 24}" text-anchor="middle">10^{e}</text>')
     for share, text in ((1, "100 %"), (0.1, "10 %"), (0.01, "1 %"), (1e-3, "0.1 %"), (1e-4, "none")):
-        out.append(f'<line x1="60" x2="{width - 140}" y1="{y(share):.0f}" y2="{y(share):.0f}" stroke="#eee"/>'
+        out.append(f'<line x1="60" x2="{width - 140}" y1="{y(share):.0f}" y2="{y(share):.0f}" stroke="var(--line)"/>'
                    f'<text x="54" y="{y(share) + 4:.0f}" text-anchor="end">{text}</text>')
     best = {}
     for p in points:
@@ -241,8 +248,8 @@ def scatter(field, kind):
     for p in points:
         us, share, wrong, n, declines, subject = p
         group = field.group[subject]
-        colour = "#2c5f9e" if best[group] is p else "#999"
-        out.append(f'<circle cx="{x(us):.1f}" cy="{y(share):.1f}" r="4" fill="{"#fff" if declines else colour}" stroke="{colour}" stroke-width="1.5">'
+        colour = "var(--best)" if best[group] is p else "var(--other)"
+        out.append(f'<circle cx="{x(us):.1f}" cy="{y(share):.1f}" r="4" fill="{"var(--paper)" if declines else colour}" stroke="{colour}" stroke-width="1.5">'
                    f'<title>{html.escape(subject)}: {us:,.1f} microseconds, {wrong} wrong of {n}</title></circle>')
         if best[group] is p:
             out.append(f'<text x="{x(us) + 8:.1f}" y="{y(share) - 5:.1f}" fill="{colour}">{html.escape(subject)} ({group})</text>')
