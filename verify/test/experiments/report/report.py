@@ -20,11 +20,12 @@ except ImportError:
     print("skipped: no matplotlib")
     sys.exit(77)
 import figures_certificates  # noqa: E402
+import figures_failure  # noqa: E402
 import figures_motion  # noqa: E402
 import figures_overlap  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 import report_methods  # noqa: E402
-from report_data import share, wilson  # noqa: E402
+from report_data import rounded, share, times, wilson  # noqa: E402
 from report_page import Source  # noqa: E402
 
 STUDY_COUNTS = ("mean_ns median_ns p99_ns build_ms bytes nodes pairs_visited discarded_by_hull discarded_by_sphere "
@@ -114,6 +115,22 @@ def campaign():
         failures=[dict(level="object", family=f, subject="mine", question="surface", how="signal 11", n=n, said="out of <memory>")
                   for f, n in (("random", 2), ("sliver", 5))],
         runs=[dict(MADE, run=k, real_meshes=1, again=words) for k, words in enumerate(CAMPAIGN)])
+
+
+def one_level(level):
+    """The tables of a campaign that asked one level, of a family and a sequence, and few cases."""
+    asked = [dict(level=level, subject=s, question="surface", n=n) for s, n in (("adaptive tree", 5), ("double tree", 5))]
+    wrong = [dict(false_positives=0, false_negatives=k, failures=k, not_asked=0) for k in (0, 1)]
+    errors = [dict(a, family="random", **w) for a, w in zip(asked, wrong)]
+    return dict(
+        errors=errors, poses=[dict(r, poses="doubles") for r in errors], subjects=[{**a, **w} for a, w in zip(asked, wrong)],
+        distance=[dict(a, poses="doubles", axis=axis, bin=-9999, rate=w["failures"] * 2 / 5, low=0, high=1)
+                  for a, w in zip(asked, wrong) for axis in ("rho", "ulps")],
+        truth=[dict(level=level, family=f, question="surface", n=n, positives=1, by_construction=1)
+               for f, n in (("random", 3), ("sequence rolling", 2))],
+        relations=[dict(level=level, relation="R5 swap", subject=a["subject"], tried=4, violated=w["failures"], not_applicable=0,
+                        rate=w["failures"] / 4, low=0, high=1) for a, w in zip(asked, wrong)],
+        runs=[dict(MADE, run=0, real_meshes=1, again=CAMPAIGN[0])])
 
 
 def signs():
@@ -218,7 +235,7 @@ def draw(out, with_study=None, with_campaign=None, everything=True):
     if done.returncode:
         raise AssertionError(done.stderr)
     with open(f"{out}/report.html", encoding="utf-8") as file:
-        return file.read()
+        return file.read().replace("\N{NO-BREAK SPACE}", " ")
 
 
 def claim_of(page):
@@ -255,7 +272,7 @@ class Whole_report(unittest.TestCase):
         cls.folder.cleanup()
 
     def test_every_figure_says_what_made_it(self):
-        figures = re.findall(r'<figure id="([^"]*)">(.*?)</figure>', self.page, re.DOTALL)
+        figures = re.findall(r'<figure id="figure-([^"]*)">(.*?)</figure>', self.page, re.DOTALL)
         expected = {"speed_against_accuracy", "speed_against_accuracy_cold", "errors_by_distance", "errors_by_parameter", "flips",
                     "thresholds", "sign_maps", "frames_per_second",
                     "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits", "budget", "demand", "first_contacts",
@@ -312,7 +329,7 @@ class Whole_report(unittest.TestCase):
             rows = list(csv.DictReader(file))
         self.assertEqual([(r["of"], r["subject"], r["n"], r["false_negatives"]) for r in rows],
                          [(g, s, "100", w) for g in ("published", "families") for s, w in (("adaptive", "0"), ("double", "7"))])
-        self.assertIn('<section id="motion">', self.page)
+        self.assertIn("<tr><td>families</td><td>double</td><td>100</td><td>40</td><td>7</td><td>0</td><td>0.3</td></tr>", self.page)
 
     def test_steps_are_drawn_by_what_they_miss_and_how_late_they_are(self):
         self.assertIn("40 motions, 30 of them with a contact", self.page)
@@ -390,6 +407,13 @@ class Whole_report(unittest.TestCase):
             self.assertTrue(os.path.exists(f"{self.out}/{target}"), target)
         for anchor in re.findall(r'<a href="#([^"]+)"', self.page):
             self.assertIn(f'id="{anchor}"', self.page)
+
+    def test_an_id_stands_for_one_place(self):
+        ids = re.findall(r'\bid="([^"]*)"', self.page)
+        self.assertEqual(len(ids), len(set(ids)))
+        self.assertGreater(self.page.count("url(#"), 0)
+        for target in re.findall(r'(?:href="#|url\(#)([^")]+)', self.page):
+            self.assertIn(target, ids)
 
     def test_the_page_needs_no_network(self):
         self.assertEqual(re.findall(r'(?:src|href)="(?:https?:)?//[^"]*"', self.page), [])
@@ -470,7 +494,7 @@ class Whole_report(unittest.TestCase):
         self.assertIn("circular 2 of 100 poses (2 %); too small to be compared with longer runs, since no pose collides: circular y 9 1", self.page)
 
     def test_what_else_is_asked_has_tables(self):
-        for cells in (("FCL", "4", "2.5", "9", "4.50", "3", "0"), ("FCL RSS", "distance", "1.23e+03", "2.5", "7", "1 of 4", "0 of 1"),
+        for cells in (("FCL", "4", "2.5", "9", "4.50", "3", "0"), ("FCL RSS", "distance", "1,235", "2.5", "7", "1 of 4", "0 of 1"),
                       ("near", "cones", "0.07", "0.25", "8.0", "46", "0 of 50")):
             self.assertIn("".join(f"<td>{cell}</td>" for cell in cells), self.page)
 
@@ -497,8 +521,44 @@ class Parts(unittest.TestCase):
     def test_a_campaign_alone_is_a_report(self):
         with tempfile.TemporaryDirectory() as out:
             page = draw(out, with_campaign=campaign(), everything=False)
-            self.assertIn('id="speed_against_accuracy_cold"', page)
+            self.assertIn('id="figure-speed_against_accuracy_cold"', page)
             self.assertIn("Our exact methods: 0 wrong of 1,200 answers", claim_of(page))
+
+    def test_the_levels_are_those_of_campaigns(self):
+        with open(os.path.join(SOURCE, "..", "..", "verify", "campaign", "levels.h"), encoding="utf-8") as file:
+            names = re.findall(r'std::string_view name = "(.*?)";', file.read())
+        self.assertEqual(sorted(names), sorted(level for level, *_ in figures_failure.LEVELS))
+
+    def test_a_campaign_of_one_level_is_a_report_of_what_it_asked(self):
+        for level, *_ in figures_failure.LEVELS:
+            with self.subTest(level), tempfile.TemporaryDirectory() as out:
+                page = draw(out, with_campaign=one_level(level), everything=False)
+                section = re.search(f'<section id="level-{level}">(.*?)</section>', page, re.DOTALL).group(1)
+                self.assertIn("<td>adaptive tree</td><td>0 of 5 (&lt; 43 %)</td>", section)
+                self.assertIn("<td>double tree</td><td>2 of 5 (40 %)<br><small>missed 1, invented 0, failed 1</small></td>", section)
+                self.assertIn("violated: exact subjects 0 of 4 (&lt; 49 %), the others 1 of 4 (25 %).", section)
+                self.assertIn(f"<td>{level}</td><td>2</td><td>5</td><td>2</td><td>2</td><td>0 of 5", page)
+                self.assertEqual(re.findall('<section id="level-([^"]*)">', page), [level])
+                self.assertNotIn("<tbody></tbody>", page)
+                self.assertEqual("The verdict" in page, level == "object")
+                self.assertEqual("Which family breaks whom" in page, level == "object")
+                self.assertEqual("Each point is a way of answering" in page, "speed_against_accuracy" in page)
+                drawn = {"relations"} if level in ("object", "predicate") else set()
+                self.assertEqual(set(re.findall('<figure id="figure-([^"]*)">', page)), drawn)
+
+    def test_only_panels_with_points_are_drawn(self):
+        tables = campaign()
+        tables["sweeps"] = [r for r in tables["sweeps"] if r["family"] == "sliver" and r["subject"] == "float"]
+        with tempfile.TemporaryDirectory() as out:
+            page = draw(out, with_campaign=tables, everything=False)
+        figure = re.search('<figure id="figure-errors_by_parameter">(.*?)</figure>', page, re.DOTALL).group(1)
+        self.assertIn("fail, by height of a sliver?", figure)
+        self.assertEqual(len(set(re.findall(r'id="errors_by_parameter-(axes_\d+)"', figure))), 1)
+
+    def test_who_is_never_wrong_is_not_said_to_be(self):
+        rows = [dict(r, false_negatives=0 if r["subject"] == "double tree" else r["false_negatives"]) for r in study()]
+        with tempfile.TemporaryDirectory() as out:
+            self.assertIn("others are wrong: FCL 10 %.", claim_of(draw(out, rows, everything=False)))
 
     def test_an_empty_folder_is_refused_in_a_line(self):
         with tempfile.TemporaryDirectory() as out:
@@ -513,6 +573,11 @@ class Parts(unittest.TestCase):
         for field in ("asked", "cases", "seed", "command", "version", "compiler", "machine"):
             with self.assertRaises(ValueError):
                 whole.about(**{field: " "}).check()
+
+    def test_large_numbers_have_no_exponent(self):
+        for x, text in ((0.01234, "0.0123"), (1.3, "1.3"), (999.4, "999"), (999.5, "1,000"), (1310, "1,310"), (1e6, "1,000,000")):
+            self.assertEqual(rounded(x), text)
+        self.assertEqual(times(99.7), "100")
 
     def test_wilson_is_the_interval_of_the_textbook(self):
         for (wrong, n), (low, high) in {(10, 100): (0.05522914, 0.17436566), (5, 10): (0.2365931, 0.7634069),
