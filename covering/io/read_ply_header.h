@@ -150,6 +150,7 @@ inline Ply_header scan_ply_header(Text_lines& lines)
       }
       header.elements.back().properties.push_back(property);
     } else if (words[0] == "end_header") {
+      need(1, "'end_header' alone");
       if (!format_found) lines.fail("no line 'format'", "expected one in the header");
       return header;
     } else {

@@ -70,6 +70,9 @@ class Body:
             corners = {v for loop in loops for v in loop}
             need(not parts or all(v in corners for part in parts for v in part), f"a triangle of face {f} has a corner that is none of the face's")
             need(not parts or balance(edges(loops)) == balance(edges(parts)), f"the triangles of face {f} have another boundary")
+            if not self.is_flat[f]:  # the triangles are the face
+                need(len(parts) <= sum(map(len, loops)) + 2 * len(loops) - 4, f"face {f} has more triangles than it takes")
+                need({cycle(part) for part in parts}.isdisjoint(cycle(part[::-1]) for part in parts), f"two triangles of face {f} cancel")
             held = {frozenset(e) for e in edges(parts or [])} | {frozenset([v]) for part in parts or [] for v in part}
             need(not parts or {frozenset(e) for e in edges(loops)} <= held, f"face {f} has an edge without a triangle")
 
@@ -97,6 +100,12 @@ class Body:
         for p, q in (side for loops in self.faces for side in edges(loops)):
             name[root(p)] = root(q)
         self.shell = {v: root(v) for v in name}
+
+
+def cycle(triangle):
+    """Its corners from the least on."""
+    k = triangle.index(min(triangle))
+    return tuple(triangle[k:] + triangle[:k])
 
 
 def given_pose(texts):

@@ -166,6 +166,7 @@ def believed(certificate, models=()):
 
 
 def main():
+    sys.setrecursionlimit(10000)  # as check.py
     with open(sys.argv[1], encoding="utf-8") as file:
         certificate = json.load(file)
     count = wrong = 0

@@ -4,7 +4,7 @@ import os
 import re
 from fractions import Fraction
 
-from geometry import area_vector, dot
+from geometry import area_vector
 
 DECIMAL = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
 FRACTION = re.compile(r"[-+]?[0-9]+/0*[1-9][0-9]*")
@@ -134,9 +134,10 @@ def read_poly(lines, nodes):
                 words += lines.pop(0)
             faces[-1].append([count(x) - first for x in words[1:]])
         del lines[:holes]
-        # The program turns such loops.
+        # The program turns such loops, as they are seen where the outer one is largest.
         outer, *inner = [area_vector([vertices[v] for v in loop]) for loop in faces[-1]]
-        need(all(dot(outer, way) <= 0 for way in inner), "a hole runs the same way round as the face; expected the other way")
+        axis = max(range(3), key=lambda k: abs(outer[k]))
+        need(all(outer[axis] * way[axis] <= 0 for way in inner), "a hole runs the same way round as the face; expected the other way")
     return vertices, faces
 
 
@@ -157,6 +158,7 @@ def read_model(path):
             data += beside
         else:
             vertices, faces = (read_off if suffix.lower() == ".off" else read_obj)(lines)
+            need_form(all(len(loop) > 2 for loops in faces for loop in loops), f"{path} has a face of less than three corners, which the program leaves out")
     except IndexError:
         raise Bad(f"{path} ends too early") from None
     need_form(all(len(v) == 3 for v in vertices), f"{path} has a vertex without three numbers")

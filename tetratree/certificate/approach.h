@@ -66,16 +66,18 @@ inline bool add_approach(std::string& text, const Placed_pair& at, std::size_t h
                          bool is_inside, const std::optional<kernel::Rational_point>& along = {})
 {
   Random_integers random = at.random;
-  const double size = middle_of(at, holder).second, length = along ? kernel::longest_part(*along).get_d() : 1;
+  const kernel::Rational extent = middle_of(at, holder).second;
+  if (extent == 0) return false;
+  const int size = binary_exponent(extent), length = along ? binary_exponent(kernel::longest_part(*along)) : 0;
   Approach approach(at, holder, x, along.value_or(kernel::Rational_point{}));
   constexpr int most_points = 192, points_of_a_size = 8;
   for (int n = 0; n < most_points; ++n) {
     kernel::Rational_point y = x;
-    const double far = std::ldexp(size, 1 - n / points_of_a_size);
+    const int far = size + 1 - n / points_of_a_size;
     if (along && n % points_of_a_size > 0) continue;
     for (std::size_t c = 0; c < 3; ++c)
-      y[c] += along ? kernel::Rational(kernel::Rational(std::exp2(std::rint(std::log2(far / length)))) * (*along)[c])
-                    : kernel::Rational(far * random(10) * 0x1p-10);
+      y[c] += along ? kernel::times_power((*along)[c], far - length)
+                    : kernel::times_power(kernel::Rational(random(10)), far - 10);
     if (approach(text, y, is_inside)) return true;
   }
   return false;

@@ -104,7 +104,7 @@ struct Certificate::Data {
   }
 
   /// Adds an answer, to whose text write(text) appends the rest. True when write() does, which says that the answer is
-  /// proved. Else the answer is counted and left out, as one is whose proof needs triangles that a face lacks.
+  /// proved. Else, or where it throws No_proof, the answer is counted and left out.
   template <class Write>
   bool add(std::string text, const Write& write)
   {
@@ -114,8 +114,8 @@ struct Certificate::Data {
         answers.push_back(std::move(text));
         return true;
       }
-    } catch (const tetratree::Face_without_triangles&) {
-      // The loops of the face cross, and its hull touches what the face does not.
+    } catch (const tetratree::No_proof&) {
+      // It is left out as others are that lack a proof.
     }
     ++without_proof;
     return false;

@@ -207,8 +207,9 @@ struct Common_point {
   kernel::Exact_point point;
 };
 
-/// Thrown for a face whose hull is not separated, though the face itself is. Only triangles would help.
-struct Face_without_triangles {};
+/// Thrown where a search for a proof cannot go on: at a face whose hull is not separated though the face itself is,
+/// or at numbers beyond the doubles. The answer is then left out.
+struct No_proof {};
 
 /// Covers the pairs of pieces of two placed bodies, or finds a pair that does not keep the rule. Each object covers
 /// once.
@@ -225,7 +226,7 @@ class Pair_cover {
   }
 
   /// True when all pairs are covered. Else `common` is a point that two pieces share; nothing where two pieces are
-  /// apart, but not as far as the rule asks. Throws Face_without_triangles.
+  /// apart, but not as far as the rule asks. Throws No_proof.
   bool operator()() { return covers({}, {}); }
 
   /// Returns the cover, complete where the call above returned true.
@@ -279,7 +280,7 @@ class Pair_cover {
     for (int k = 0; k < 2; ++k) {
       const Element& element = body_[k]->groups->piece_of(k == 0 ? a : b);
       if (element.is_whole_face() && body_[k]->groups->tree().model().covering().plane_basis(element.face))
-        throw Face_without_triangles{};
+        throw No_proof{};
     }
     return false;
   }

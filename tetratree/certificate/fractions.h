@@ -53,6 +53,12 @@ inline kernel::Rational rounded_to(const kernel::Rational& unit, const kernel::R
   return kernel::Rational(mpz_class(units.get_num() / units.get_den())) * unit;
 }
 
+/// Returns an exponent e for which |x| is above 2^(e - 1) and below 2^(e + 1). Requires a number other than 0.
+inline int binary_exponent(const kernel::Rational& x)
+{
+  return int(mpz_sizeinbase(x.get_num_mpz_t(), 2)) - int(mpz_sizeinbase(x.get_den_mpz_t(), 2));
+}
+
 /// Returns the number as a binary fraction. Requires that it is one.
 inline kernel::Exact_number exact(const kernel::Rational& x)
 {

@@ -25,12 +25,10 @@
 /// way prove a first exit.
 namespace tetracone::tetratree {
 
-/// Returns the poses, with A moved by a vector.
+/// Returns the poses, with A moved by a vector. Throws No_proof for one beyond the doubles.
 inline Placed_pair::Poses moved(Placed_pair::Poses poses, const kernel::Rational_point& by)
 {
-  std::array<kernel::Rational, 12> rows = kernel::rows_of(poses[0]);
-  for (std::size_t k = 0; k < 3; ++k) rows[4 * k + 3] += by[k];
-  poses[0] = kernel::Pose(rows);
+  poses[0] = shifted(poses[0], by);
   return poses;
 }
 
@@ -313,7 +311,7 @@ class Lower_bound {
         text += '}';
         return true;
       }
-    } catch (const Face_without_triangles&) {
+    } catch (const No_proof&) {
       return false;
     }
     const auto axis = std::size_t(std::ranges::max_element(box.half) - box.half.begin());

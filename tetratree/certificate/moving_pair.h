@@ -60,7 +60,7 @@ class Moving_pair {
     return {motions_[0].at(kernel::Rational(time)), motions_[1].at(kernel::Rational(time))};
   }
 
-  /// Returns coefficient k, divided by the divisor at the begin of the interval.
+  /// Returns coefficient k, divided by the largest coefficient of the divisor. Throws as `finite_pose`.
   Poses poses_of(std::size_t k, double from, double to) const
   {
     // Times are binary fractions.
@@ -71,11 +71,12 @@ class Moving_pair {
       return kernel::Integer((time.get_num() << bits) / time.get_den());
     };
     const kernel::Pair_motion part = forms_.between(whole(first), whole(last), unsigned(bits));
-    const kernel::Rational scale(part.divisor()[0]);
+    kernel::Integer scale = part.divisor()[0];
+    for (std::size_t c = 1; c < part.divisor().size(); ++c) scale = kernel::maximum(scale, part.divisor()[c]);
     std::array<std::array<kernel::Rational, 12>, 2> entries;
     for (int body = 0; body < 2; ++body)
       for (int e = 0; e < 12; ++e) entries[body][e] = kernel::Rational(part.entry(body, e)[k]) / scale;
-    return {kernel::Pose(entries[0]), kernel::Pose(entries[1])};
+    return {finite_pose(entries[0]), finite_pose(entries[1])};
   }
 
   std::size_t vertex_count() const

@@ -18,6 +18,22 @@ namespace tetracone::tetratree {
 /// Throws Error for an answer that is not proved.
 [[noreturn]] inline void fail_proof(const std::string& what) { throw Error("certificate: " + what); }
 
+/// Returns a pose of these rows. Throws No_proof for an entry beyond the doubles.
+inline kernel::Pose finite_pose(const std::array<kernel::Rational, 12>& rows)
+{
+  for (const kernel::Rational& entry : rows)
+    if (!std::isfinite(kernel::nearest_double(entry))) throw No_proof{};
+  return kernel::Pose(rows);
+}
+
+/// Returns the pose, and a translation after it. Throws as `finite_pose`.
+inline kernel::Pose shifted(const kernel::Pose& pose, const kernel::Rational_point& by)
+{
+  std::array<kernel::Rational, 12> rows = kernel::rows_of(pose);
+  for (std::size_t k = 0; k < 3; ++k) rows[4 * k + 3] += by[k];
+  return finite_pose(rows);
+}
+
 /// Pseudo-random integers that a search for a proof tries. Every object gives the same ones.
 class Random_integers {
  public:
@@ -71,12 +87,7 @@ struct Placed_pair {
 
   /// Return a point, and a pose, as proofs write them.
   kernel::Rational_point written(const kernel::Rational_point& x) const { return kernel::sum(x, origin); }
-  kernel::Pose written(const kernel::Pose& relative) const
-  {
-    std::array<kernel::Rational, 12> rows = kernel::rows_of(relative);
-    for (std::size_t k = 0; k < 3; ++k) rows[4 * k + 3] += origin[k];
-    return kernel::Pose(rows);
-  }
+  kernel::Pose written(const kernel::Pose& relative) const { return shifted(relative, origin); }
 
   /// Returns the faces of the file of which the pieces are parts.
   std::array<Index, 2> source_faces(const std::array<Box_id, 2>& piece) const
@@ -108,7 +119,7 @@ inline void add_common(std::string& text, const Placed_pair& pair, const Common_
 }
 
 /// Appends a cover of the pair and returns nothing, or appends a witness and returns a point that the surfaces share.
-/// `preferred` is a direction to try first. Throws Face_without_triangles, and Error for faces that are apart but break
+/// `preferred` is a direction to try first. Throws No_proof, and Error for faces that are apart but break
 /// the rule.
 inline std::optional<Common_point> cover_or_meet(std::string& text, Placed_pair& pair,
                                                  const kernel::Gap_rule& rule = {},

@@ -56,15 +56,17 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
   constexpr int most_lines = 96,         // lines tried
       lines_of_a_size = 4;               // lines tried at one distance from the point; the next are nearer
   constexpr std::size_t most_cells = 6;  // points tried on a line, each between two crossings
+  // Lengths are in the units of rounded points, which are finite and not 0.
+  const kernel::Rational rounding(pair.rounding), weight(met.point.weight);
+  const kernel::Exact_number unit = exact(kernel::Rational(1 / rounding));
   kernel::Rounded_vector middle;
   double size = 0;
-  for (int c = 0; c < 3; ++c) middle[c] = met.point.at[c].to_double() / met.point.weight.to_double();
-  const double scale = pair.rounding.to_double();
+  for (int c = 0; c < 3; ++c)
+    middle[c] = kernel::Rational(kernel::Rational(met.point.at[c]) / weight * rounding).get_d();
   for (const Covered_body& body : pair.body)
     for (std::size_t v = 0; v < body.points.size(); ++v)
-      for (std::size_t c = 0; c < 3; ++c)
-        size = kernel::maximum(size, std::abs(body.points.rounded(v)[c] / scale - middle[c]));
-  if (!std::isfinite(size)) return false;
+      for (std::size_t c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(body.points.rounded(v)[c] - middle[c]));
+  if (size == 0) return false;
   const auto pieces = pair.faces(met.piece);
   std::vector<std::string> rows;
   const auto try_point = [&](const kernel::Exact_vector& x) {
@@ -83,12 +85,13 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     kernel::Hull_points way{exact_way}, none;
     kernel::round_together(way, none);
     if (way.rounded(0) == kernel::Rounded_vector{}) continue;
-    const kernel::Exact_vector half = kernel::scaled(kernel::rounded_to_bits(way.rounded(0), 20),
-                                                     kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)));
+    const kernel::Exact_vector half =
+        kernel::scaled(kernel::rounded_to_bits(way.rounded(0), 20),
+                       kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)) * unit);
     kernel::Exact_vector start;
     for (int c = 0; c < 3; ++c) {
       const double aside = std::ldexp(size, 1 - 2 * (n / lines_of_a_size)) * pair.random(20) * 0x1p-20;
-      start[c] = kernel::Exact_number(middle[c] + aside) - half[c];
+      start[c] = kernel::Exact_number(middle[c] + aside) * unit - half[c];
     }
     const kernel::Exact_vector all = kernel::scaled(half, kernel::Exact_number(2));
     const auto times = crossing_times(pair, start, all);

@@ -29,21 +29,26 @@ inline bool leads_free(std::string& text, const Placed_pair::Poses& start, const
   return add_all_windings(text, moving.at(0), inside == 0, inside == 1);
 }
 
-/// Returns a point near the mean of the corners of placed body k, and a length like the body's. Both are 0 where
-/// doubles do not hold them.
+/// Returns a point near the mean of the corners of placed body k, and a length like the body's, 0 for a point.
+/// Throws No_proof where no double is near them.
 inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pair, std::size_t k)
 {
   const auto& corners = pair.body[k].groups->group({}).corners;
-  const double scale = kernel::Rational(kernel::Rational(pair.weight) * kernel::Rational(pair.rounding)).get_d();
+  const kernel::Hull_points& points = pair.body[k].points;
   kernel::Rounded_vector middle{};
   double size = 0;
-  const auto at = [&](std::uint32_t v, std::size_t c) { return pair.body[k].points.rounded(v)[c] / scale; };
   for (const std::uint32_t v : corners)
-    for (std::size_t c = 0; c < 3; ++c) middle[c] += at(v, c) / double(corners.size());
+    for (std::size_t c = 0; c < 3; ++c) middle[c] += points.rounded(v)[c] / double(corners.size());
   for (const std::uint32_t v : corners)
-    for (std::size_t c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(at(v, c) - middle[c]));
-  if (!std::isfinite(size)) return {};
-  return {kernel::exact_point(middle), size};
+    for (std::size_t c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(points.rounded(v)[c] - middle[c]));
+  const kernel::Rational scale = kernel::Rational(pair.weight) * kernel::Rational(pair.rounding);
+  const auto unscaled = [&](double x) {
+    const double near = kernel::nearest_double(kernel::Rational(kernel::Rational(x) / scale));
+    if (!std::isfinite(near)) throw No_proof{};
+    return near;
+  };
+  for (double& x : middle) x = unscaled(x);
+  return {kernel::exact_point(middle), unscaled(size)};
 }
 
 /// True when m is a direction along which hull a ends where hull b begins, or before.

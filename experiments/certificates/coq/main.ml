@@ -256,9 +256,12 @@ let read_poly lines node_lines =
   let area loop = sum_of (List.map2 (cross_of at) loop (drop 1 loop @ [List.hd loop])) in
   List.iter (fun loops ->
     if List.exists (List.exists (fun v -> v < 0 || v >= count)) loops || List.mem [] loops then bad "no such vertex";
-    (* The program turns such loops. *)
+    (* The program turns such loops, as they are seen where the outer one is largest. *)
     match List.map area loops with
-    | outer :: inner -> need (List.for_all (fun way -> Q.sign (dot_of outer way) <= 0) inner) "a hole runs the same way round as the face; expected the other way"
+    | outer :: inner ->
+        let size k = Q.abs (List.nth outer k) in
+        let axis = List.fold_left (fun best k -> if Q.gt (size k) (size best) then k else best) 0 [1; 2] in
+        need (List.for_all (fun way -> Q.sign (Q.mul (List.nth outer axis) (List.nth way axis)) <= 0) inner) "a hole runs the same way round as the face; expected the other way"
     | [] -> bad "a facet has no polygon") faces;
   (vertices, faces)
 
@@ -267,9 +270,12 @@ let read_model path =
   let suffix = String.lowercase_ascii (Filename.extension path) in
   let lines = lines_of data in
   need_form (lines <> []) (path ^ " is empty");
+  let of_three_corners (v, f) =
+    need_form (List.for_all (List.for_all (fun loop -> List.length loop > 2)) f) (path ^ " has a face of less than three corners, which the program leaves out");
+    (v, f, data) in
   match suffix with
-  | ".off" -> let v, f = read_off lines in (v, f, data)
-  | ".obj" -> let v, f = read_obj lines in (v, f, data)
+  | ".off" -> of_three_corners (read_off lines)
+  | ".obj" -> of_three_corners (read_obj lines)
   | ".poly" ->
       let beside = lazy (read_bytes (Filename.remove_extension path ^ ".node")) in
       let v, f = read_poly lines (lazy (lines_of (Lazy.force beside))) in
@@ -286,6 +292,7 @@ type body = {
   first_piece : int array;
   shells : int array;  (* of each vertex, a vertex that names its shell; -1 for a vertex of no face *)
   is_closed : bool Lazy.t;
+  is_planar : bool;  (* all faces are, so that none is what it is cut into *)
 }
 
 (* A loop without corners that are twice in a row: an edge from a vertex to itself is a point of the next one. *)
@@ -345,7 +352,7 @@ let read_body entry path =
         cuts.(f) <- List.map (index count "vertex") [i; j; k] :: cuts.(f)
     | _ -> bad "a row of a cut has not four numbers") (rows (get entry "cut"));
   let of_face = Array.make (Array.length loops) [] and first_piece = Array.make (Array.length loops) 0 in
-  let core_faces = ref [] and core_count = ref 0 and pieces = ref [] and piece_count = ref 0 in
+  let is_planar = ref true and core_faces = ref [] and core_count = ref 0 and pieces = ref [] and piece_count = ref 0 in
   Array.iteri (fun f face ->
     let zface = place face and cut = place (List.rev cuts.(f)) in
     let all = List.concat zface in
@@ -358,6 +365,12 @@ let read_body entry path =
     else begin
       need (cut <> []) (Printf.sprintf "face %d is neither planar nor cut" f);
       need (Core.check_cut (zface, cut)) (Printf.sprintf "face %d is not what its triangles are" f);
+      (* The triangles are the face. *)
+      need (List.length cut <= List.length all + 2 * List.length zface - 4) (Printf.sprintf "face %d has more triangles than it takes" f);
+      let turned = function [p; q; r] -> List.hd (List.sort compare [[p; q; r]; [q; r; p]; [r; p; q]]) | t -> t in
+      let cycles = List.map turned cuts.(f) in
+      need (not (List.exists (fun t -> List.mem (turned (List.rev t)) cycles) cuts.(f))) (Printf.sprintf "two triangles of face %d cancel" f);
+      is_planar := false;
       List.iter (fun t -> add ([t], [])) cut
     end;
     List.iter (fun p -> pieces := p :: !pieces; incr piece_count) (if cut = [] then [zface] else List.map (fun t -> [t]) cut)) loops;
@@ -379,7 +392,8 @@ let read_body entry path =
   let groups = if has entry "groups" then group (get entry "groups") else Core.Many [Core.Many (List.init (Array.length pieces) one)] in  (* no node of a cover opens it *)
   let core = { Core.cut_faces = List.rev !core_faces; unit0 = unit; groups } in
   need (Core.check_body core) "a cut is not legal, or a piece is in no group or in two";
-  { core; corners; loops; of_face; first_piece; shells; is_closed = lazy (Lazy.force is_balanced && Core.is_closed core) }
+  { core; corners; loops; of_face; first_piece; shells; is_closed = lazy (Lazy.force is_balanced && Core.is_closed core);
+    is_planar = !is_planar }
 
 let need_closed body = need (Lazy.force body.is_closed) "a body is not closed, and has no solid"
 
@@ -914,7 +928,8 @@ let prove text_of models givens print =
   keys certificate ["certificate"; "bodies"; "answers"] ["asked"];
   need_form (get certificate "certificate" = String "tetracone 1") "another version; expected tetracone 1";
   let entries = rows (get certificate "bodies") and answers = rows (get certificate "answers") in
-  need_form (List.mem (List.length entries) [1; 2] && answers <> []) "there are not one or two bodies, and answers";
+  need_form (List.mem (List.length entries) [1; 2]) "there are not one or two bodies";
+  need_form (answers <> []) "no answer is in it";
   (* Where some answers are left out, each has its row. *)
   let is_each = not (has certificate "asked") in
   let row_of k answer = if is_each then k else match get answer "row" with Int row -> row | _ -> bad "a row is no integer" in
@@ -939,8 +954,11 @@ let prove text_of models givens print =
       | "depth" when get answer "answer" <> String "0" -> ", an upper bound"
       | "ray" when has answer "end" -> ", up to " ^ text (get answer "end")
       | _ -> "" in
+    let limits = if Array.for_all (fun body -> body.is_planar) bodies then limits else limits ^ ", of faces that are not planar as they are cut here" in
     print (Printf.sprintf "%d %s %s %s proved%s" row ask (if has answer "question" then text (get answer "question") else "-") (show (get answer "answer")) limits))
-    numbers answers
+    numbers answers;
+  let proved = List.length answers in
+  if proved < asked then Printf.eprintf "%d of %d questions have no proof in it\n%!" (asked - proved) asked
 
 (* The status and what is said of it. *)
 let judged text_of models givens print =

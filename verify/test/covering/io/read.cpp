@@ -580,6 +580,7 @@ BOOST_AUTO_TEST_CASE(ply_takes_strips_wedges_and_carriage_returns)
   for (const std::uint32_t v : {0xffffffffu, 0u, 2u, 1u, 3u}) both += bytes(v);
   both += "\3" + bytes(0) + bytes(1) + bytes(3);
   BOOST_TEST(read_text(".ply", both).polyhedron.face_count() == 3u);
+  BOOST_TEST(error_of(".ply", vertices + "end_header 3\n") == ":7: 2 words; expected 'end_header' alone");
   BOOST_TEST(error_of(".ply", vertices + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
                                   points + "3 0 1 4\n")
                  .starts_with(":14: vertex index 4"));
