@@ -207,8 +207,8 @@ struct Common_point {
   kernel::Exact_point point;
 };
 
-/// Thrown where a search for a proof cannot go on: at a face whose hull is not separated though the face itself is,
-/// or at numbers beyond the doubles. The answer is then left out.
+/// Thrown where a search for a proof cannot go on; the answer is then left out. The hull of a face is not separated
+/// though the face itself is, or numbers are beyond the doubles.
 struct No_proof {};
 
 /// Covers the pairs of pieces of two placed bodies, or finds a pair that does not keep the rule. Each object covers

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The checker proves what the program writes, believes no lie, and answers any bytes with a line and a status."""
 import copy
+import hashlib
 import json
 import os
 import pathlib
@@ -281,6 +282,28 @@ class Certificates(unittest.TestCase):
         cube = self.folder / "cube.off"
         text, _ = self.asked("collide", cube, cube, "--pose-b", four)
         self.assertEqual(len(list(check.prove(text, [cube, cube], [("pose_b", four)]))), 1)
+
+    def test_faces_that_the_program_leaves_out_and_triangles_that_cancel_are_refused(self):
+        point = self.folder / "above"
+        point.write_text("5.5 5 5\n")
+        corners = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 5 5\n6 5 5\n"
+        for name, data in (("short.off", f"OFF\n6 5 0\n{corners}2 4 5\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"),
+                           ("short.obj", "".join(f"v {line}\n" for line in corners.splitlines()) + "f 5 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")):
+            file = self.folder / name
+            file.write_text(data)
+            certificate = json.loads(self.asked("inside", file, point)[0])
+            self.assertEqual(certificate["answers"][0]["answer"], -1)
+            certificate["bodies"] = [{"file": name, "sha256": hashlib.sha256(data.encode()).hexdigest()}]
+            certificate["answers"] = [{"ask": "inside", "point": ["5.5", "5", "5"], "answer": 0, "face": 0}]
+            with self.assertRaisesRegex(reading.Bad, "less than three corners"):
+                list(check.prove(json.dumps(certificate), [file]))
+        bent = self.folder / "bent.obj"
+        certificate = json.loads(self.asked("inside", bent, point)[0])
+        self.assertRegex(list(check.prove(json.dumps(certificate), [bent]))[0], "proved, of faces that are not planar as they are cut here$")
+        cut = certificate["bodies"][0]["cut"]
+        _, i, j, k = cut[0]
+        cut += [[0, i, j, k], [0, k, j, i]]
+        self.assertFalse(lies.believed(json.dumps(certificate), [bent]))
 
     def test_no_lie_is_believed(self):
         random.seed(48)

@@ -272,6 +272,23 @@ class Proved_checker(unittest.TestCase):
         for body, certificate in ((short, CUBE_ALONE), (twice, CUBE_ALONE), (open_body, CUBE_ALONE), (uncut, FRAME_ALONE), (hole_filled, FRAME_ALONE)):
             self.assertEqual(self.check(self.file({**certificate, "bodies": [body]}))[0], 1)
 
+    def test_faces_that_the_program_leaves_out_and_triangles_that_cancel_are_refused(self):
+        bent = {"vertices": [["0", "0", "0"], ["2", "0", "0"], ["2", "2", "0.5"], ["0", "2", "0"], ["1", "1", "3"]],
+                "faces": [[[3, 2, 1, 0]], [[0, 1, 4]], [[1, 2, 4]], [[2, 3, 4]], [[3, 0, 4]]], "cut": [[0, 3, 2, 1], [0, 3, 1, 0]], "groups": [0, 1, 2, 3, 4, 5]}
+        corner = {"certificate": "tetracone 1", "bodies": [bent], "answers": [{"ask": "inside", "point": ["0", "0", "0"], "answer": 0, "face": 0}]}
+        self.assertEqual(self.check(self.file(corner))[:2], (0, ["0 inside - 0 proved, of faces that are not planar as they are cut here"]))
+        bent["cut"] += [[0, 3, 2, 1], [0, 1, 2, 3]]
+        bent["groups"] += [6, 7]
+        self.assertEqual(self.check(self.file(corner))[0], 1)
+        text = "OFF\n6 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n5 5 5\n6 5 5\n2 4 5\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
+        path = FOLDER / "short.off"
+        path.write_text(text)
+        body = {"file": path.name, "sha256": hashlib.sha256(text.encode()).hexdigest()}
+        between = {**corner, "bodies": [body], "answers": [{"ask": "inside", "point": ["5.5", "5", "5"], "answer": 0, "face": 0}]}
+        status, _, error = self.check(self.file(between), path)
+        self.assertEqual(status, 2)
+        self.assertRegex(error, "less than three corners")
+
     def test_it_is_about_the_files_and_numbers_that_are_named(self):
         for name, text in model_texts():
             path = FOLDER / name

@@ -160,6 +160,32 @@ BOOST_AUTO_TEST_CASE(answers_far_from_the_origin_are_proved_as_near_ones)
   }
 }
 
+BOOST_AUTO_TEST_CASE(numbers_near_the_ends_of_the_doubles_are_proved_or_left_out)
+{
+  const Body cube(scenes::unit_cube());
+  const auto scaled = [](double size) {
+    return Pose(std::array<double, 12>{size, 0, 0, 0, 0, size, 0, 0, 0, 0, size, 0});
+  };
+  Query query{cube, cube};
+  Certificate certificate(query);
+  const auto is_proved_relation = [&](const Pose& a, const Pose& b) {
+    return certificate.relation(a, b, query.solid_relation(a, b).relation);
+  };
+  for (const double size : {1e-100, 0x1p1020}) BOOST_TEST(is_proved_relation(scaled(size), scaled(size / 2)), size);
+  BOOST_TEST(is_proved_relation(Pose(), Pose(std::array<double, 12>{1, 0, 0, 1e-100, 0, 1, 0, 0.25, 0, 0, 1, 0.5})));
+  const auto is_proved_exit = [&](const Pose& pose, const std::array<std::string, 3>& along) {
+    return certificate.exits(pose, pose, along, query.exits(pose, pose, along));
+  };
+  BOOST_TEST(is_proved_exit(Pose(), {"1e-320", "0", "0"}));
+  // What follows the last exit is beyond the doubles.
+  BOOST_TEST(!is_proved_exit(scaled(0x1.8p1023), {"1", "1", "0"}));
+  // A quaternion may be short.
+  const Motion still = Motion::linear(tetracone::Pose(), tetracone::Pose()),
+               turns = Motion::rigid({1e-160, 0, 0, 0, 9, 0, 0}, {0, 0, 0, 1, 5, 0, 0});
+  BOOST_TEST(certificate.first_contact(still, turns, Question::solid, query.first_contact(still, turns)));
+  BOOST_TEST(is_proved(certificate));
+}
+
 BOOST_AUTO_TEST_CASE(answers_near_a_face_whose_loop_crosses_itself_are_left_out)
 {
   covering::Polyhedron bow;
