@@ -325,8 +325,8 @@ void add_body(py::module_& module)
 A polyhedron that queries can be asked about. Immutable, and shared by any number of threads.
 
 vertices: array (n, 3) of doubles, taken exactly; of texts, a decimal is the double nearest to it.
-faces: array (m, k) of vertex numbers, or a sequence of faces, each a sequence of numbers, or of loops of numbers: the
-outer boundary first, then holes, which run the other way round.
+faces: array (m, k) of vertex numbers, or a sequence of faces. Each face is a sequence of numbers, or of loops of
+numbers. The outer boundary is the first loop; holes follow, which run the other way round.
 triangles: array (n, 4) of a face and three vertices each, which cover some faces exactly, in their direction. Any other
 face of more than three corners becomes a fan if it can.
 
@@ -359,8 +359,8 @@ The signed distances of points, negative inside the solid, and the points of the
 points, holders, only). Exact: each number is the double nearest to the exact one. A holder is "vertex V", "edge V V" or
 "face F". Where other points are as near, `only` is False.
 
-points: array (n, 3) of doubles or fractions -> arrays (n,) of float64, (n, 3) of float64, (n,) of str, (n,) of bool;
-one point (3,) -> a float, an array (3,), a str and a bool.
+points: array (n, 3) of doubles or fractions -> arrays (n,) of float64, (n, 3) of float64, (n,) of str, (n,) of bool.
+One point (3,) -> a float, an array (3,), a str and a bool.
 Raises Error for an open surface, and for a number that is not finite, which it names.
 
 >>> import tetracone
@@ -401,7 +401,7 @@ array([ True, False])
       .def("crossings", &crossings, origins, directions, py::arg("faces"), R"(crossings(origins, directions, faces)
 
 How each ray goes through a face that it meets: array (n,) of "entering" against the face's normal, "leaving" with it,
-and "along" its plane; one ray and face -> a str. Of face -1, which first_hit says where there is none, it is "".
+and "along" its plane. One ray and face -> a str. For face -1, which first_hit says where there is none, it is "".
 
 faces: an array (n,) of faces' numbers, or one for all. Raises Error for a number out of range, and as first_hit.
 
@@ -442,16 +442,15 @@ origins, directions, end: as first_hit -> arrays (m,) of int64, int64 and float6
           py::arg("threads") = 1, py::call_guard<py::gil_scoped_release>(),
           R"(make_all(threads=1)
 
-Makes now what queries of the method `tree` would make when they first need it, by so many threads; 0: as many as there
-are.
+Builds the whole tree of the method `tree` now, with `threads` threads (0: all cores), instead of on demand.
 
 >>> import tetracone
 >>> tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).make_all()
 )")
       .def("save", &save, py::arg("path"), R"(save(path)
 
-Saves the body with its tree, all of which is made, to a file *.body that `read` takes: it is mapped there, and nothing
-is built again. Raises Error for another suffix, and for a file that cannot be written; then nothing is left behind.
+Saves the body with its whole tree to a file *.body that `read` takes. `read` maps the file and builds nothing again.
+Raises Error for another suffix, and for a file that cannot be written; then nothing is left behind.
 
 >>> import tetracone, tempfile, pathlib
 >>> with tempfile.TemporaryDirectory() as folder:

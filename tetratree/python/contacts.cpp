@@ -116,8 +116,9 @@ void add_contacts(py::module_& module)
 {
   py::class_<Contacts>(module, "Contacts", R"(Contacts: all pairs of faces of two placed bodies that meet
 
-Made by `Query.contacts`, and by `Body.self_intersections` about one body. A pair of faces has a piece for each maximal point, segment and polygon that they share; len()
-is the number of pieces, which are in the order of their faces. Where a piece is gets computed when it is asked for.
+`Query.contacts` makes them, and `Body.self_intersections` for one body. A pair of faces has a piece for each maximal
+point, segment and polygon that they share. len() is the number of pieces, which are in the order of their faces. The
+place of a piece is computed when it is asked for.
 
 faces: (n, 2) uint32, the face of a and the face of b of each piece.
 kind: (n,) "point", "segment", or "coplanar": a polygon of two faces in one plane.
@@ -141,23 +142,23 @@ held_by: (n, 2) "vertex", "edge" or "interior": what of the face of a, and of b,
           "(n, 2) str: what of either face holds the piece: vertex, edge or interior.")
       .def("loops", &loops, py::arg("k"), R"(loops(k)
 
-Where piece k is, as the doubles nearest to it: a list of one array (1, 3) of a point, (2, 3) of a segment's ends, or of
-arrays (m, 3) of a polygon's border: its outer loop and its holes, in no order.)")
+Where piece k is, as the doubles nearest to it. A point is a list of one array (1, 3), a segment of one array (2, 3) of
+its ends. A polygon is a list of arrays (m, 3): its outer loop and its holes, in no order.)")
       .def("enclosures", &enclosures, py::arg("k"), R"(enclosures(k)
 
 As `loops`, each point as doubles below and above it: arrays (m, 2, 3).)")
       .def("normals", &normals, R"(normals()
 
-The unit normals of the placed faces of all pieces: array (n, 2, 2, 3), of the face of a and the face of b doubles below
-and above each coordinate, which are equal or neighbours. They are outward where faces are oriented outward, and 0 for a
-face without area.)")
+The unit normals of the placed faces of all pieces: array (n, 2, 2, 3). For the face of a, then of b, it holds doubles
+below and above each coordinate, which are equal or neighbours. The normals are outward where faces are oriented
+outward, and 0 for a face without area.)")
       .def("exact_loops", &exact_loops, py::arg("k"), R"(exact_loops(k)
 
 As `loops`, exactly: lists of tuples of three fractions.Fraction.)")
       .def("curves", &curves, R"(curves()
 
-The segments, each once and those of one line that hang together as one, joined where exactly two end in one point, which
-is compared exactly: a list of (closed, array (m, 3)).)");
+The curves of the pieces that are segments: a list of (closed, array (m, 3)). Each segment counts once, and segments of
+one line that hang together are one. Curves join where exactly two segments end in one point, compared exactly.)");
   // pybind11 asks for memory only for an object of `Contacts.__new__`: queries return contacts that are made.
   py::detail::get_type_info(typeid(Contacts))->operator_new = [](std::size_t) -> void* {
     throw Error("contacts: not made; expected Query.contacts");

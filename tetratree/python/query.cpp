@@ -554,7 +554,7 @@ array([ True,  True, False])
            py::arg("kernel") = "adaptive", py::arg("method") = "tree", py::arg("remember") = false)
       .def("collide", of_poses<&collide>("collide"), poses_b, poses_a, R"(collide(poses_b, *, poses_a=None)
 
-Whether the bodies collide: array (n,) of bool; of one pose of each, a bool.
+Whether the bodies collide: array (n,) of bool. For one pose of each body, a bool.
 
 poses_b, poses_a: poses of either body as `Query` says; None is the identity. Poses of both are given by their
 keywords: collide(poses_a=..., poses_b=...). TypeError for two sets by position.
@@ -566,8 +566,8 @@ True
 )")
       .def("relation", of_poses<&relation>("relation"), poses_b, poses_a, R"(relation(poses_b, *, poses_a=None)
 
-The relation of the bodies: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a"; of one pose
-of each, a str. Arguments as of `collide`.
+The relation of the bodies: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a". For one
+pose of each body, a str. Arguments as of `collide`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -577,10 +577,11 @@ of each, a str. Arguments as of `collide`.
       .def("solid_relation", of_poses<&solid_relation>("solid_relation"), poses_b, poses_a,
            R"(solid_relation(poses_b, *, poses_a=None)
 
-Which of the eight relations of solids holds, and the dimension of what the surfaces share: arrays (n,) of "disjoint",
-"meet", "overlap", "equal", "inside", "contains", "covered_by" or "covers", and of int8: 0 points, 1 a segment, 2 an
-area, -1 nothing; of one pose of each, a str and an int. Solids that only touch "meet". Arguments as of `collide`. Raises
-Error for question "surface", and for a kernel that is not adaptive.
+Which of the eight relations of solids holds, and the dimension of what the surfaces share: arrays (n,) of str and of
+int8. The relations are "disjoint", "meet", "overlap", "equal", "inside", "contains", "covered_by" and "covers"; solids
+that only touch "meet". The dimension is 0 for points, 1 for a segment, 2 for an area, -1 for nothing. For one pose of
+each body, a str and an int. Arguments as of `collide`. Raises Error for question "surface", and for a kernel that is
+not adaptive.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -589,11 +590,15 @@ Error for question "surface", and for a kernel that is not adaptive.
 )")
       .def("overlap", of_poses<&overlap>("overlap"), poses_b, poses_a, R"(overlap(poses_b, *, poses_a=None)
 
-How much the solids overlap and touch: a dict of arrays, `volume` (n,) and `centroid` (n, 3) of the intersection of the
-interiors, `contact_area` (n, 2), doubles that enclose the area that faces share, and `contact_vector` (n, 3), the sum of
-area times outward unit normal of a; and of lists of fractions.Fraction, `exact_volume`, `exact_centroid` and
-`exact_contact_vector`. Each double is the one nearest to its fraction. Of one pose of each, the single values. Arguments
-and errors as of `solid_relation`.
+How much the solids overlap and touch: a dict of arrays.
+
+volume, centroid: (n,) and (n, 3), of the intersection of the interiors.
+contact_area: (n, 2), doubles that enclose the area that faces share.
+contact_vector: (n, 3), the sum of area times outward unit normal of a.
+exact_volume, exact_centroid, exact_contact_vector: lists of fractions.Fraction, or of tuples of three.
+
+Each double is the one nearest to its fraction. Lengths are in the units of the placed coordinates. For one pose of each
+body, the dict holds single values instead of arrays. Arguments and errors as of `solid_relation`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -602,10 +607,14 @@ Fraction(1, 48)
 )")
       .def("exits", &exits, py::arg("direction"), poses_b, poses_a, R"(exits(direction, poses_b, *, poses_a=None)
 
-How far a must be moved along a direction for the interiors of the solids to part: a dict of arrays (n,), `first`, where
-they first share no point, and `last`, from where on they never do again, and of lists of fractions.Fraction,
-`exact_first` and `exact_last`. All are in lengths of the direction, which is three numbers, fractions.Fraction or texts
-"n/d". The solids may touch. Of one pose of each, the single values. Other arguments and errors as of `solid_relation`.
+How far a must be moved along a direction for the interiors of the solids to part: a dict.
+
+first, last: arrays (n,); where they first share no point, and from where on they never share one again.
+exact_first, exact_last: the same as lists of fractions.Fraction.
+
+All are in lengths of the direction, which is three numbers, fractions.Fraction or texts "n/d". The solids may touch.
+For one pose of each body, the dict holds single values instead of arrays. Other arguments and errors as of
+`solid_relation`. Raises Error also for a direction of 0.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -615,11 +624,19 @@ Fraction(1, 2)
       .def("depth", &depth, poses_b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 100000, poses_a,
            R"(depth(poses_b, *, relative=1e-9, budget=100000, poses_a=None)
 
-The least translation of a for the interiors of the solids to part, in a bracket that is never wrong: a dict of arrays,
-`bounds` (n, 2) of its length, `vector` (n, 3), a translation of the upper length, and `is_exact` (n,), whether it is
-proved that no other is shorter; and of lists of fractions.Fraction, `exact_square` of that length and `exact_vector`.
-The search ends at the relative width, or after `budget` boxes of translations. Of one pose of each, the single values.
-poses_b, poses_a and errors as of `solid_relation`.
+The least translation of a for the interiors of the solids to part, in a bracket that is never wrong: a dict.
+
+bounds: array (n, 2), a lower and an upper bound of its length, in the units of the placed coordinates.
+vector: array (n, 3), the doubles nearest to a translation of the upper length that parts them.
+is_exact: array (n,) of bool, whether it is proved that no other is shorter.
+exact_square, exact_vector: its squared length and itself, lists of fractions.Fraction and of tuples of three.
+
+For one pose of each body, the dict holds single values instead of arrays.
+
+relative: the search ends when the bracket's width over its upper end is at most this; in [0, 1).
+budget: the search ends after this number of boxes of translations.
+
+poses_b and poses_a are as of `collide`. Raises Error for another `relative`, and as `solid_relation`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -628,9 +645,9 @@ Fraction(1, 48)
 )")
       .def("distance", of_poses<&distance>("distance"), poses_b, poses_a, R"(distance(poses_b, *, poses_a=None)
 
-How far apart the bodies are, or of question "solid" the solids, which are 0 apart where they collide: array (n,) of
-float, each the double nearest to the exact distance; of one pose of each, a float. Arguments as of `collide`. Of the
-kernels adaptive and rational are exact, double is what it is; Error for others.
+How far apart the surfaces are, or for question "solid" the solids, which are 0 apart where they collide: array (n,) of
+float. Each is the double nearest to the exact distance. For one pose of each body, a float. Arguments as of `collide`.
+The kernels adaptive and rational are exact; double rounds. Raises Error for others.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -639,8 +656,9 @@ kernels adaptive and rational are exact, double is what it is; Error for others.
 )")
       .def("within", &within, py::arg("limit"), poses_b, poses_a, R"(within(limit, poses_b, *, poses_a=None)
 
-Whether that distance is at most `limit`, a number, a fractions.Fraction or a text "n/d", decided exactly: array (n,) of
-bool; of one pose of each, a bool. Other arguments as of `collide`.
+Whether `distance` is at most `limit`, decided exactly: array (n,) of bool. For one pose of each body, a bool. The limit
+is a number, a fractions.Fraction or a text "n/d". Other arguments as of `collide`. Raises Error for a limit that is not
+finite or no number, and as `distance`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -649,9 +667,9 @@ True
 )")
       .def("zone", &zone, py::arg("limit"), poses_b, poses_a, R"(zone(limit, poses_b, *, poses_a=None)
 
-The faces of a, in order, that have a point at most `limit` from b, decided exactly: a list of n arrays of uint32; of one
-pose of each, the array. The limit and the other arguments are as of `within`. Raises Error for a kernel that is not
-adaptive or rational.
+The faces of a, in order, that have a point at most `limit` from b, decided exactly: a list of n arrays of uint32. For
+one pose of each body, the array. The limit and the other arguments are as of `within`. Raises Error for a kernel that
+is not adaptive or rational, and for a limit as `within`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -662,11 +680,11 @@ array([0, 1, 3], dtype=uint32)
            R"(first_contact(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
 
 When the moving bodies first share a point, exactly: array (n, 2) of doubles lo <= t <= hi, equal where the time is that
-double, else neighbours; NaN where they never meet. Of one pose at each end, a tuple (lo, hi), or None.
+double, else neighbours; NaN where they never meet. For one pose at each end, a tuple (lo, hi), or None.
 
 poses_b0, poses_b1, poses_a0, poses_a1: poses of either body at t = 0 and at t = 1; None is the identity.
-kind: "linear", of poses as `Query` says: every point moves on a line, M(t) = (1-t) M0 + t M1; or "rigid", of arrays
-(n, 7), a quaternion w x y z of any length and a translation: a rotation at every t, by the quaternion (1-t) q0 + t q1.
+kind: "linear", of poses as `Query` says: every point moves on a line, M(t) = (1-t) M0 + t M1. Or "rigid", of arrays
+(n, 7), a quaternion w x y z of any length and a translation. It rotates at every t, by the quaternion (1-t) q0 + t q1.
 A rigid motion may also be given by matrices that are rotations, exactly or to 1e-5 in each entry. Each stands for its
 quaternion of length 1, rounded to doubles unless the matrix is a rotation exactly, and the motion takes the short way.
 
@@ -696,7 +714,8 @@ Answers with their proofs: a dict that experiments/certificates/check.py, a prog
 proves when it is written as JSON. The bodies stand in it.
 
 ask: "collide", "distance", "within" (with `limit`), "relation" (the eight of `solid_relation`), "exits" (with
-`direction`) or "depth" (its bounds, with `relative` and `budget`). Answers that have no proof are left out. Other arguments and errors as of the method of that name; "relation" is `solid_relation`.
+`direction`) or "depth" (its bounds, with `relative` and `budget`). Answers that have no proof are left out. Other
+arguments and errors as of the method of that name; "relation" is `solid_relation`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -706,9 +725,9 @@ ask: "collide", "distance", "within" (with `limit`), "relation" (the eight of `s
 )")
       .def("features", of_poses<&features>("features"), poses_b, poses_a, R"(features(poses_b, *, poses_a=None)
 
-All pairs of an edge of one body and a face of the other that share a point: for each pose a structured array of `body`
-(0: an edge of a and a face of b; 1: the other way round), `edge_from`, `edge_to` (the edge's vertices), `face` and
-`kind`; a list of n of them, of one pose of each the array. Arguments as of `collide`.
+All pairs of an edge of one body and a face of the other that share a point: a list of n structured arrays. The fields
+are `body` (0 for an edge of a and a face of b, else 1), `edge_from` and `edge_to` (the edge's vertices), `face` and
+`kind`. For one pose of each body, the array. Arguments as of `collide`.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -718,8 +737,8 @@ All pairs of an edge of one body and a face of the other that share a point: for
 )")
       .def("contacts", of_poses<&contacts>("contacts"), poses_b, poses_a, R"(contacts(poses_b, *, poses_a=None)
 
-All pairs of faces that share a point, and where: a `Contacts` for each pose; a list of n of them, of one pose of each
-the `Contacts`. Arguments as of `collide`. Raises Error for a kernel that rounds.
+All pairs of faces that share a point, and where: a list of n `Contacts`. For one pose of each body, the `Contacts`.
+Arguments as of `collide`. Raises Error for a kernel that rounds.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -739,7 +758,8 @@ the `Contacts`. Arguments as of `collide`. Raises Error for a kernel that rounds
           "clear_statistics()\n\nSets all counts to 0.")
       .def_property_readonly("bytes", alone(&Query::bytes),
                              "Bytes of the trees of both bodies, as far as they have been made.")
-      .def_property_readonly("node_count", alone(&Query::node_count), "Nodes of these trees.");
+      .def_property_readonly("node_count", alone(&Query::node_count),
+                             "Number of these trees' nodes that have been made.");
 }
 
 }  // namespace tetracone::python

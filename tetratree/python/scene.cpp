@@ -242,8 +242,8 @@ is released while it answers.
 
 bodies: a sequence of `Body`; their numbers are 0, 1, ...
 question, kernel: as of `Query`.
-threads: that share the pairs of a frame; 0: as many as there are.
-budget: seconds for a frame; what is not decided then is `undecided`. 0: no limit.
+threads: number of threads that share the pairs of a frame; 0: all cores.
+budget: seconds for a frame; pairs that are not decided then are `undecided`. 0: no limit.
 
 >>> import numpy as np, tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -258,21 +258,25 @@ budget: seconds for a frame; what is not decided then is `undecided`. 0: no limi
       .def("__len__", &Locked_scene::count)
       .def("add", &Locked_scene::add, py::arg("body").none(false), "add(body)\n\nOne more body; returns its number.")
       .def("remove", &Locked_scene::remove, py::arg("number"),
-           "remove(number)\n\nTakes a body out; its number is not used again.")
+           "remove(number)\n\nTakes a body out; its number is not used again. Raises Error for a body that is "
+           "not there.")
       .def("replace", &Locked_scene::replace, py::arg("number"), py::arg("body").none(false),
-           "replace(number, body)\n\nPuts another `Body` in its place.")
-      .def("ignore", of_pair(&Scene::ignore), a, b, "ignore(a, b)\n\nThese two are not asked for.")
+           "replace(number, body)\n\nPuts another `Body` in its place. Raises Error for a body that is not there.")
+      .def(
+          "ignore", of_pair(&Scene::ignore), a, b,
+          "ignore(a, b)\n\nLeaves this pair out of all answers about pairs. Raises Error for a body that is not there, "
+          "and for a body with itself.")
       .def("place", &place, py::arg("number"), py::arg("pose"),
-           "place(number, pose)\n\nPlaces a body from now on: (3, 4) or (4, 4), as `Query` says.")
+           "place(number, pose)\n\nPlaces a body from now on: (3, 4) or (4, 4), as `Query` says. Raises Error for a "
+           "body that is not there, for several poses, and for a pose that is none.")
       .def("pairs", &pairs,
            "pairs()\n\nThe pairs of placed bodies that collide now: (m, 2) uint32, in order. Raises Error where there "
-           "are "
-           "bodies and none is placed.")
+           "are bodies and none is placed, and where an open surface is asked for its solid.")
       .def("pairs_within", &pairs_within, py::arg("limit"), R"(pairs_within(limit)
 
-The pairs of placed bodies that are at most `limit` apart, and how far: pairs (m, 2) uint32, in order, and distances (m,)
-float, 0 where they collide. The limit is a number, a fractions.Fraction or a text "n/d", decided exactly. Raises Error
-as `pairs` and as `Query.within`.
+The pairs of placed bodies that are at most `limit` apart, and how far: pairs (m, 2) uint32 and distances (m,) float.
+The pairs are in order, and a distance is 0 where they collide. The limit is a number, a fractions.Fraction or a text
+"n/d", decided exactly. Raises Error as `pairs` and as `Query.within`.
 
 >>> import numpy as np, tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
@@ -293,14 +297,14 @@ uint32, in order. Raises Error for another number of poses, and for a pose that 
            py::arg("kind") = "linear",
            R"(first_contacts(poses_1, *, poses_0=None, kind="linear")
 
-Which bodies meet while all of them move, and when first, exactly: pairs (m, 2) uint32 and times (m, 2), doubles
-lo <= t <= hi of t in [0, 1] as `Query.first_contact` has them. In order of (lo, hi, pair): that of the exact times, but for
-those between the same two doubles. The bodies stand where they stood.
+Which bodies meet while all of them move, and when first, exactly: pairs (m, 2) uint32 and times (m, 2). Times are
+doubles lo <= t <= hi of t in [0, 1] as `Query.first_contact` has them. The order is that of (lo, hi, pair). It is the
+order of the exact times, except among times between two neighbouring doubles. The bodies stay where they stood.
 
 poses_1: the poses of all bodies at t = 1, in the order of their numbers.
 poses_0: those at t = 0, by keyword; None: where the bodies stand, of a linear motion; of a rigid one the identity.
-kind: "linear", of poses as `frame` takes them, or "rigid", of arrays (n, 7), a quaternion and a translation, or of
-matrices that are rotations, as `Query.first_contact` says.
+kind: "linear", of poses as `frame` takes them, or "rigid". A rigid motion takes arrays (n, 7), a quaternion and a
+translation, or matrices that are rotations, as `Query.first_contact` says.
 
 Raises Error for another number of poses, for a body that stands nowhere, and as `Query.first_contact`.
 
@@ -316,16 +320,18 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
 >>> pairs.tolist(), times.tolist()
 ([[0, 1], [0, 2]], [[0.5, 0.5], [1.0, 1.0]])
 )")
-      .def_property_readonly(
-          "undecided", &undecided,
-          "What the budget has left undecided in the last frame: pairs (m, 2) uint32, and (m,) float, "
-          "at most how far from one another they are.")
+      .def_property_readonly("undecided", &undecided,
+                             "Pairs that the budget left undecided in the last frame: (m, 2) uint32; and (m,) float, "
+                             "an upper bound of the distance between any point of one body and any point of the "
+                             "other.")
       .def(
           "relation",
           [](Locked_scene& self, std::size_t first, std::size_t second) {
             return std::string(to_string(self.alone([&](Scene& scene) { return scene.relation(first, second); })));
           },
-          a, b, "relation(a, b)\n\nThe relation of two placed bodies, as `Query.relation`.")
+          a, b,
+          "relation(a, b)\n\nThe relation of two placed bodies, as `Query.relation`. Raises Error for a body that is "
+          "not there or not placed, and as `Query`.")
       .def(
           "solid_relation",
           [](Locked_scene& self, std::size_t first, std::size_t second) {
@@ -334,7 +340,7 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           },
           a, b,
           "solid_relation(a, b)\n\nWhich of the eight relations of solids holds for two placed bodies, as "
-          "`Query.solid_relation`.")
+          "`Query.solid_relation`. Raises Error as `relation`, and as that method.")
       .def(
           "overlap",
           [](Locked_scene& self, std::size_t first, std::size_t second) {
@@ -342,7 +348,8 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
             return overlap_columns({&found, 1}, true);
           },
           a, b,
-          "overlap(a, b)\n\nHow much two placed bodies overlap and touch: as `Query.overlap` says of one pose of each.")
+          "overlap(a, b)\n\nHow much two placed bodies overlap and touch: as `Query.overlap` says of one pose of each. "
+          "Raises Error as `relation`, and as that method.")
       .def(
           "exits",
           [](Locked_scene& self, const py::object& direction, std::size_t first, std::size_t second) {
@@ -352,8 +359,7 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           },
           py::arg("direction"), a, b,
           "exits(direction, a, b)\n\nHow far a placed body must be moved along a direction for it and another to part: "
-          "as "
-          "`Query.exits` says of one pose of each.")
+          "as `Query.exits` says of one pose of each. Raises Error as `relation`, and as that method.")
       .def(
           "depth",
           [](Locked_scene& self, std::size_t first, std::size_t second, double relative, std::size_t budget) {
@@ -364,12 +370,13 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           },
           a, b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 100000,
           "depth(a, b, *, relative=1e-9, budget=100000)\n\nThe least translation of a placed body for it and another "
-          "to "
-          "part: as "
-          "`Query.depth` says of one pose of each.")
-      .def("contacts", of_pair(&Scene::contacts), a, b, "contacts(a, b)\n\nThe `Contacts` of two placed bodies.")
+          "to part: as `Query.depth` says of one pose of each. Raises Error as `relation`, and as that method.")
+      .def(
+          "contacts", of_pair(&Scene::contacts), a, b,
+          "contacts(a, b)\n\nThe `Contacts` of two placed bodies. Raises Error as `relation`, and as `Query.contacts`.")
       .def("distance", of_pair(&Scene::distance), a, b,
-           "distance(a, b)\n\nThe distance of two placed bodies, as `Query.distance`.")
+           "distance(a, b)\n\nThe distance of two placed bodies, as `Query.distance`. Raises Error as `relation`, and "
+           "as that method.")
       .def(
           "within",
           [](Locked_scene& self, const py::object& limit, std::size_t first, std::size_t second) {
@@ -378,7 +385,7 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           },
           py::arg("limit"), a, b,
           "within(limit, a, b)\n\nWhether that is at most `limit`: a number, a fractions.Fraction or a text \"n/d\", "
-          "decided exactly.")
+          "decided exactly. Raises Error as `relation`, and as `Query.within`.")
       .def_property_readonly("statistics", &scene_statistics,
                              "What the last frame, or the last first contacts, have cost: a dict of moved, kept, "
                              "candidates, queries, nodes_made, bytes.");

@@ -9,10 +9,11 @@
 >>> tetracone.Query(cube, cube).collide(poses)
 array([ True,  True, False])
 
-`Body` and `read` make bodies, `Body.inside` says where points are, `Body.first_hit` and `Body.hits` where rays meet it,
-`Query` asks about two bodies: `collide`, `relation`, `features`, `contacts`; `Scene` which of many collide. `kernels` and `methods` are what a query can
-be told. A wrong value is an `Error`, an argument of another type than is asked for Python's TypeError.
-`tetracone.verify`: cases that are hard, their true answers, and how to judge with them whatever answers.
+`Body` and `read` make bodies. `Body.inside` says where points are, `Body.first_hit` and `Body.hits` where rays meet it.
+`Query` asks about two bodies: `collide`, `relation`, `features`, `contacts` and more. `Scene` finds the pairs of many
+bodies that collide. `kernels` and `methods` list the names that a query takes. A wrong value raises `Error`, an
+argument of a wrong type Python's TypeError.
+`tetracone.verify` has cases that are hard, their true answers, and the means to judge other libraries by them.
 """
 
 from ._tetracone import Body, Contacts, Error, Query, Scene, __version__, kernels, methods, read

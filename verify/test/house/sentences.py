@@ -1,5 +1,9 @@
 #!/usr/bin/python3
-"""House rule: no sentence of a comment in the C++ sources, or of a document, has more than 25 words. Each that has is told with its file and line."""
+"""House rule: no sentence of a comment in the C++ sources, of a docstring in them, or of a document has more than 25 words.
+
+A docstring is a text R"( ... )" of a folder python/. No sentence of it begins without a subject, as comments by house.cpp. Each flaw is told with its
+file and line.
+"""
 
 import pathlib
 import re
@@ -14,6 +18,8 @@ END = re.compile(r"(?<=[^\s(])[.!?][)\"']*\s+|(?<=\S)[;:]\s+(?=[A-Z`(0-9])")
 ABBREVIATION = re.compile(r"\b(e\.g|i\.e|cf|vs|Fig|Sec|No)\.$")
 OPERATOR = re.compile(r"[-+*/=<>^|&.~]+")
 ITEM = re.compile(r"(-|\*|\d+[.)]) +")
+DOCSTRING = re.compile(r'R"\((.*?)\)"', re.DOTALL)
+HEADLESS = re.compile(r"(Of|The same|So many|What is) ")
 
 
 def comments(text):
@@ -101,6 +107,21 @@ def long_sentences_of_document(path, text):
     return found
 
 
+def flaws_of_docstrings(path, text):
+    """Their paragraphs are judged as comments are. An example, from >>> up to an empty line, is code."""
+    lines = [""] * (text.count("\n") + 1)
+    for docstring in DOCSTRING.finditer(text):
+        in_code = False
+        for number, line in enumerate(docstring[1].split("\n"), text.count("\n", 0, docstring.start())):
+            in_code = line.startswith(">>>") or (in_code and bool(line))
+            lines[number] = "///" if in_code else "/// " + line
+    judged = "\n".join(lines)
+    return long_sentences(path, judged) + [
+        f"{path}:{line}: begins without a subject: {sentence}"
+        for comment in comments(judged) for paragraph in paragraphs(comment) for line, sentence in sentences(paragraph)
+        if HEADLESS.match(sentence)]
+
+
 def sources(folder):
     return sorted(path for path in (SOURCE / folder).rglob("*") if path.suffix in (".h", ".inl", ".cpp"))
 
@@ -112,7 +133,10 @@ class Sentences(unittest.TestCase):
             found = sources(folder)
             self.assertTrue(found, folder)
             for path in found:
-                wrong += long_sentences(path.relative_to(SOURCE), path.read_text(encoding="utf-8"))
+                text = path.read_text(encoding="utf-8")
+                wrong += long_sentences(path.relative_to(SOURCE), text)
+                if path.parent.name == "python":
+                    wrong += flaws_of_docstrings(path.relative_to(SOURCE), text)
         for path in [SOURCE / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")] + [
                 path for folder in FOLDERS for path in sorted((SOURCE / folder).rglob("*.md"))]:
             text = path.read_text(encoding="utf-8")
@@ -133,6 +157,14 @@ class Sentences(unittest.TestCase):
                       f"/// {few}: {few}and more.", f"/// - {few}\n///   {few}, and more;\n/// - {few}", f"/// {few}e.g. {few}and more.",
                       f'f("//", "x");  // {few} {few}and more.'):
             self.assertEqual(self.count(wrong), 1, wrong)
+
+    def test_docstrings_are_judged_without_their_examples(self):
+        few = " ".join(["word"] * 20)
+        for right in (f'f(R"(f()\n\n{few}.\n\n>>> {few} {few}\n{few} {few}\n)");', f'f("{few} {few}");', f'R"({few}.)"\nR"({few}.)"'):
+            self.assertEqual(flaws_of_docstrings("x.cpp", right), [], right)
+        for wrong in (f'f(R"(f()\n\n{few}\n{few}.)");', f'f(R"(f()\n\n>>> x\n\n{few}\n{few}.)");', 'f(R"(f()\n\nOne.\nOf one, a word.)");'):
+            self.assertEqual(len(flaws_of_docstrings("x.cpp", wrong)), 1, wrong)
+        self.assertTrue(flaws_of_docstrings("x.cpp", f'\nf(R"(f()\n\n{few}\n{few}.)");')[0].startswith("x.cpp:4: "))
 
     def test_sentences_items_and_code_are_told_apart(self):
         few = " ".join(["word"] * 20)
