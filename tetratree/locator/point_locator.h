@@ -47,7 +47,7 @@ class Point_locator {
       : model_(&model),
         scale_(kernel::local_scale(model.lattice().origin, model.vertices())),
         per_half_unit_(2 / scale_.unit),
-        cells_(cells_for(model.covering().triangles().size()))
+        cells_(steps_for(model.covering().triangles().size()))
   {
     vertices_.reserve(model.vertices().size());
     bool is_local = true;
@@ -171,7 +171,7 @@ class Point_locator {
   };
 
   /// Returns the number of steps per edge for about two triangles per cell.
-  static int cells_for(std::size_t triangles)
+  static int steps_for(std::size_t triangles)
   {
     return std::clamp(int(std::sqrt(double(triangles) / 8)), 2, Cone_cells::most);
   }
@@ -229,6 +229,8 @@ class Point_locator {
     if (end > first + 4) [[unlikely]]
       while (is_passed(g) != 0) ++g;
     const Group& of = groups_[g];
+    // `side` is 1 beyond the group and -1 before it, by the norm; else it is the slab's side. The slab's mask is 0 where
+    // the norm decides, else all ones. The winding number is the group's inner one before it, else the outer one.
     const int is_beyond = (first == end) | (asked.norm > of.high), is_before = (asked.norm < of.low) & ~is_beyond;
     const int side = (is_beyond - is_before) | (of.slab.side(asked.at) & ((is_beyond | is_before) - 1));
     const int outer = beyond(asked.cell, g);

@@ -27,9 +27,9 @@ namespace tetracone::tetratree {
 /// A bracket of the least translation that parts two solids.
 struct Depth_bracket {
   kernel::Rational_point vector = {0, 0, 0};  ///< a translation that parts them
-  kernel::Rational square = 0;                ///< of its length: an upper bound
-  double least = 0;                           ///< lower bound of the length of every one that does
-  bool is_exact = true;                       ///< no shorter one parts them
+  kernel::Rational square = 0;                ///< its squared length, an upper bound of the least squared length
+  double least = 0;                           ///< lower bound of the length of every translation that parts them
+  bool is_exact = true;                       ///< no shorter translation parts them
 };
 
 /// The boxes of a search: why none of them has a translation that parts the solids and is shorter than the lower bound.
@@ -65,8 +65,8 @@ struct Depth_limits {
 /// nearest to 0 first. A box is done where the shortest translation that is not in P is not in it:
 ///
 /// - A ball inside A overlaps a ball inside B for all translations of the box. One of the two stands for its body. The
-///   other is the largest about the first one's centre (`Inner_balls`). Instead, the first may hold a border
-///   point of the other body, beside which that body has inner points.
+///   other is the largest about the first one's centre (`Inner_balls`). Or a ball inside one body holds a border point
+///   of the other, and inner points of that body are arbitrarily near (`Inner_balls::is_border`).
 /// - Two pieces, as of `Seen_solid`, cross for all translations inside their `Crossing_polytope`; so these are in P.
 /// - No two pieces meet for any translation of the box. The shortest translation that is not in P is on the border of
 ///   P, since 0 is in P. There the surfaces touch.
@@ -116,8 +116,8 @@ class Depth_search {
   }
 
   /// Returns the bracket whose upper end is `vector`, a translation that is known to part the solids. It fills the
-  /// proof of its lower end. The proof uses the balls that it is given, and no face that another one of its body meets.
-  /// It has no nodes where nothing is known. Requires that 0 is in P.
+  /// proof of its lower end. The proof uses the balls that `proof` holds, and plain triangles (`Solid_sides`) alone. It
+  /// has no nodes where nothing is known. Requires that 0 is in P.
   Depth_bracket prove(const std::array<kernel::Rational, 12>& map_a, const std::array<kernel::Rational, 12>& map_b,
                       const kernel::Rational_point& vector, const Depth_limits& limits, Depth_proof& proof)
   {

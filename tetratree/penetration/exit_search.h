@@ -94,7 +94,7 @@ class Exit_search {
   };
 
   /// Returns stretches that cover 0 to the first exit without gaps. Their faces are plain triangles. Requires what the
-  /// search requires, and the first exit that it returns. `normals` says nothing of use afterwards.
+  /// search requires, and the first exit that it returns. Invalidates `normals()`.
   std::vector<Stretch> stretches(const std::array<kernel::Rational, 12>& map_a,
                                  const std::array<kernel::Rational, 12>& map_b, const kernel::Rational& first)
   {
@@ -104,7 +104,7 @@ class Exit_search {
     kernel::Rational at = 0;
     while (at < first) {
       Stretch next{at, first, std::nullopt, false};
-      if (const auto high = largest_high(&at, true)) {
+      if (const auto high = largest_high(&at, {.plain_only = true, .or_starts = true})) {
         next.to = *high;
         next.faces = {last_pair_[0]->face, last_pair_[1]->face};
         next.starts_there = exact_range(*last_pair_[0], *last_pair_[1]).low()->most == at;
@@ -272,13 +272,18 @@ class Exit_search {
     return x;
   }
 
+  /// The pairs of pieces that `largest_high` looks at.
+  struct Pair_choice {
+    bool plain_only;  // pairs of plain triangles alone
+    bool or_starts;   // also pairs whose lower end is the rise
+  };
+
   /// Returns the largest `high` of all pairs of pieces. With a rise `through`, it looks only at pairs that have it
-  /// between their ends; nothing if there is none. With `or_starts`, it looks at plain triangles alone, also at those
-  /// that meet from that rise on.
-  std::optional<Rational> largest_high(const Rational* through, bool or_starts = false)
+  /// between their ends; nothing if there is none.
+  std::optional<Rational> largest_high(const Rational* through, Pair_choice choice = {})
   {
-    const auto starts_after = [or_starts](const auto& low, const auto& rise) {
-      return or_starts ? low > rise : low >= rise;
+    const auto starts_after = [choice](const auto& low, const auto& rise) {
+      return choice.or_starts ? low > rise : low >= rise;
     };
     // Names, since clang 14 lets no function object take a structured binding.
     const std::pair at = through ? CGAL::to_interval(*through) : std::pair(0.0, 0.0);
@@ -291,7 +296,7 @@ class Exit_search {
       return -most;
     };
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
-      if (or_starts && !(solid_[0].is_plain(a.face) && solid_[1].is_plain(b.face))) return;
+      if (choice.plain_only && !(solid_[0].is_plain(a.face) && solid_[1].is_plain(b.face))) return;
       if (a.is_bounded && b.is_bounded) {
         const CGAL::Protect_FPU_rounding<true> upward;
         const auto range = enclosed(a, b);

@@ -57,7 +57,7 @@ inline std::vector<Ball> largest_balls(std::vector<Ball> balls, std::size_t most
 class Inner_balls {
  public:
   /// Finds the balls that stand for the solid, at points of a grid. `is_border` says that inner points of the solid are
-  /// as near as one likes to each point of the surface, as in `Solid_sides::is_simple`. Requires a closed surface, and
+  /// arbitrarily near to each point of the surface, as in `Solid_sides::is_simple`. Requires a closed surface, and
   /// the tree and the locator of one body. Both must outlive this object.
   Inner_balls(const Bvh8& tree, const Point_locator& locator, bool is_border)
       : is_border_(is_border), locator_(&locator), points_(tree)
@@ -135,7 +135,7 @@ class Inner_balls {
   /// Returns the balls that stand for the solid, in the view. There is none where the view has no bound.
   const std::vector<Ball>& seen() const { return seen_; }
 
-  /// True if inner points of the solid are as near as one likes to each point of the surface.
+  /// True if inner points of the solid are arbitrarily near to each point of the surface.
   bool is_border() const { return is_border_; }
 
   /// Returns a lower bound of the signed distance of a point to the surface, both in the view. Above 0 it is the radius

@@ -193,7 +193,7 @@ class Simple_relation {
     }
   }
 
-  /// Looks at the regions that are whole faces but for points.
+  /// Looks at the regions that are whole faces, except for single points.
   void note_whole_regions(int body, const Is_vertex_inside& is_vertex_inside)
   {
     const covering::Polyhedron& polyhedron = *body_[body].polyhedron;

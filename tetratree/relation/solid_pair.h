@@ -73,7 +73,7 @@ class Solid_pair {
     for (int body = 0; body < 2; ++body) {
       pieces_of_[body].clear();
       for (std::size_t k = 0; k < pieces_.size(); ++k) pieces_of_[body][pieces_[k].face[body]].push_back(k);
-      for (const Index f : solid_[body].sides().uneven()) pieces_of_[body][f];
+      for (const Index f : solid_[body].sides().irregular()) pieces_of_[body][f];
     }
   }
 
@@ -380,7 +380,7 @@ class Solid_pair {
   void note_lone_edges(int body)
   {
     Placed_solid &own = solid_[body], &other = solid_[1 - body];
-    for (const Index f : own.sides().uneven()) {
+    for (const Index f : own.sides().irregular()) {
       const Rational_face& face = own.face(f);
       const auto& pieces = pieces_of_[body][f];
       Loops common, cut_by;
@@ -435,7 +435,7 @@ class Solid_pair {
 
   std::array<Placed_solid, 2> solid_;
   std::vector<Solid_piece> pieces_;
-  std::array<std::map<Index, std::vector<std::size_t>>, 2> pieces_of_;  // by the face, also for faces that are uneven
+  std::array<std::map<Index, std::vector<std::size_t>>, 2> pieces_of_;  // by the face, also for irregular faces
   Found_regions found_;
 };
 

@@ -57,7 +57,7 @@ class Solid_sides {
     faces_.resize(faces);
     for (Index f = 0; f < faces; ++f) {
       faces_[f].is_plain = polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f).has_value();
-      if (!faces_[f].is_plain) uneven_.push_back(f);
+      if (!faces_[f].is_plain) irregular_.push_back(f);
     }
     fraction_bits_ = kernel::fraction_bits(polyhedron.vertices);
     find_cutters(tree);
@@ -65,7 +65,7 @@ class Solid_sides {
     see_patches(uses);
     if (is_simple_) see_beyond_edges(uses, tree.model());
     for (Index f = 0; f < faces; ++f)
-      if (!faces_[f].is_plain && !std::ranges::binary_search(uneven_, f)) see_cells(f);
+      if (!faces_[f].is_plain && !std::ranges::binary_search(irregular_, f)) see_cells(f);
   }
 
   /// Returns the sides of face `f`.
@@ -93,7 +93,7 @@ class Solid_sides {
   int fraction_bits() const { return fraction_bits_; }
 
   /// Returns the faces that are no triangles with area, ascending.
-  std::span<const Index> uneven() const { return uneven_; }
+  std::span<const Index> irregular() const { return irregular_; }
 
   /// Returns the other faces that meet face `f` elsewhere than in a common vertex or edge. A plain face has none.
   std::span<const Index> cutters(Index f) const
@@ -224,7 +224,7 @@ class Solid_sides {
   std::vector<Index> place_;
   std::vector<Face_sides> faces_;
   std::map<Index, std::vector<Index>> cutters_;
-  std::vector<Index> uneven_;
+  std::vector<Index> irregular_;
   std::vector<Beyond_edge> beyond_;  // of simple solids: by 3 * face + edge
   bool is_simple_ = false;
   int fraction_bits_ = 0;
