@@ -152,22 +152,13 @@ std::vector<Answer_row> ask(const verify::Object_subject& subject, const Placed_
   return rows;
 }
 
-/// Returns the names of the kernels whose every answer is right.
-std::vector<std::string> exact_kernels()
-{
-  std::vector<std::string> names;
-  for (const Kernel kernel : all_kernels)
-    if (is_exact(kernel)) names.push_back(kernel_name(kernel));
-  return names;
-}
-
 /// Throws CLI::ValidationError when given options exclude each other, or need another one.
 void require_contact_options(const Collide_options& options)
 {
   const auto require = [](bool given, bool holds, const char* name, const std::string& expected) {
     if (given && !holds) throw CLI::ValidationError(name, expected);
   };
-  const std::vector<std::string> exact = exact_kernels();
+  const std::vector<std::string> exact = exact_kernel_names();
   const bool rounds = std::ranges::find(exact, options.kernel) == exact.end();
   const std::string expected = "expected with an exact kernel: " + alternatives(exact);
   require(options.contacts, !options.features, "--contacts", "expected without --features");
@@ -315,7 +306,8 @@ void add_collide_command(CLI::App& app)
       ->allow_extra_args(false);
   add_subject_options(*command, options->others);
   add_default(*command, "--method", options->method,
-              "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs");
+              "tree: the kernel's fastest; tuned: Jimenez & Segura's with the fastest choices; paper: as published; "
+              "brute: all pairs");
   command->add_flag("--features", options->features,
                     "All colliding pairs (edge of one, face of the other) instead of the answer");
   command->add_flag("--contacts", options->contacts,

@@ -2,6 +2,7 @@
 
 #include "experiments/speed/benchmark_workload.h"
 #include "tetracone/kernel/number/products.h"
+#include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
@@ -65,9 +66,7 @@ Polyhedron ball()
 
 Pose pose_of(const std::array<double, 4>& q, const Vector& at)
 {
-  const verify::Rotation m = verify::rotation(q[0], q[1], q[2], q[3]);
-  return Pose(std::array<double, 12>{m[0][0], m[0][1], m[0][2], at[0], m[1][0], m[1][1], m[1][2], at[1], m[2][0],
-                                     m[2][1], m[2][2], at[2]});
+  return verify::object_family::rotated(verify::rotation(q[0], q[1], q[2], q[3]), at);
 }
 
 /// Where a body is, how it stands, and how both change.

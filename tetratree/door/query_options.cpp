@@ -68,4 +68,12 @@ std::string kernel_names()
   return names;
 }
 
+std::vector<std::string> exact_kernel_names()
+{
+  std::vector<std::string> names;
+  for (const Kernel kernel : all_kernels)
+    if (is_exact(kernel)) names.push_back(kernel_name(kernel));
+  return names;
+}
+
 }  // namespace tetracone

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetracone {
 
@@ -71,6 +72,9 @@ std::string kernel_name(Kernel kernel, const Tolerance& tolerance = {});
 
 /// Returns the names of all kernels as help and error lines show them: "adaptive, double, ... or rational".
 std::string kernel_names();
+
+/// Returns the names of the kernels whose every answer is right (`is_exact`).
+std::vector<std::string> exact_kernel_names();
 
 }  // namespace tetracone
 

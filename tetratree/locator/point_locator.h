@@ -229,8 +229,8 @@ class Point_locator {
     if (end > first + 4) [[unlikely]]
       while (is_passed(g) != 0) ++g;
     const Group& of = groups_[g];
-    // `side` is 1 beyond the group and -1 before it, by the norm; else it is the slab's side. The slab's mask is 0 where
-    // the norm decides, else all ones. The winding number is the group's inner one before it, else the outer one.
+    // `side` is 1 beyond the group and -1 before it, by the norm; else it is the slab's side. The slab's mask is 0
+    // where the norm decides, else all ones. The winding number is the group's inner one before it, else the outer one.
     const int is_beyond = (first == end) | (asked.norm > of.high), is_before = (asked.norm < of.low) & ~is_beyond;
     const int side = (is_beyond - is_before) | (of.slab.side(asked.at) & ((is_beyond | is_before) - 1));
     const int outer = beyond(asked.cell, g);

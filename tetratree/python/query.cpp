@@ -399,14 +399,6 @@ std::vector<std::string_view> method_names()
   return names;
 }
 
-std::vector<std::string> exact_names()
-{
-  std::vector<std::string> names;
-  for (const Kernel kernel : all_kernels)
-    if (is_exact(kernel)) names.push_back(kernel_name(kernel));
-  return names;
-}
-
 py::tuple tuple_of(const auto& names)
 {
   py::list list;
@@ -529,7 +521,7 @@ fastest, threads that share one wait for each other. The interpreter's lock is r
 
 question: "solid", do the two closed solids share a point, or "surface", do the two closed surfaces. Touching counts.
 kernel: the arithmetic that decides, of `tetracone.kernels`; these are exact: )" +
-       listed(exact_names()) + R"(. The tolerance
+       listed(exact_kernel_names()) + R"(. The tolerance
 of double-eps=E, or double-eps=rel:E, is any E >= 0.
 method: the way to the answer, of `tetracone.methods`.
 remember: keep from pose to pose what decided the last one, for motions in small steps. Changes no answer.

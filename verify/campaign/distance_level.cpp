@@ -61,7 +61,7 @@ class Distance_page : public Two_questions<levels::Distances> {
   {
     return told.outcome == Outcome::yes && !told.answer.is_alone;
   }
-  bool takes(const Object_case& c) const { return c.a->face_count() <= most_faces && c.b->face_count() <= most_faces; }
+  bool takes(const Object_case& c) const { return have_at_most(most_faces, c); }
 
   void learn(const Object_case& c)
   {
@@ -69,8 +69,7 @@ class Distance_page : public Two_questions<levels::Distances> {
     body_b_.emplace(*c.b);
     const Placed_body &a = a_.emplace(*body_a_, c.pose_a), &b = b_.emplace(*body_b_, c.pose_b);
     of_surfaces_ = squared_distance(a, b);
-    if (c.a->face_count() <= few_faces && c.b->face_count() <= few_faces &&
-        of_surfaces_ != squared_distance(a, b, squared_distance_by_program))
+    if (have_at_most(few_faces, c) && of_surfaces_ != squared_distance(a, b, squared_distance_by_program))
       throw Truths_disagree("the two truths of a distance disagree", c, Question::surface);
     if ((sgn(of_surfaces_) == 0) != collide(a, b, Question::surface))
       throw Truths_disagree("a distance is 0 and bodies apart, or the other way round", c, Question::surface);
@@ -100,8 +99,6 @@ class Distance_page : public Two_questions<levels::Distances> {
 
  private:
   static constexpr int limit_count = 6, statement_count = 6 + limit_count;
-  /// Both truths judge bodies with fewer faces than this.
-  static constexpr std::size_t few_faces = 12;
 
   int right_statements(const Answered& a) const
   {

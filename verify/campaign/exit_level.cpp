@@ -21,11 +21,7 @@ class Exit_page : public Page<levels::Exits> {
   std::array<Question, 1> questions(const Object_case&) const { return {Question::solid}; }
   auto relations() const { return exit_relations(); }
   bool tries_relations(std::uint64_t, Question, const Told& told) const { return told.outcome == Outcome::yes; }
-  bool takes(const Object_case& c) const
-  {
-    const std::size_t most = c.exits ? most_faces : few_faces;
-    return c.a->face_count() <= most && c.b->face_count() <= most;
-  }
+  bool takes(const Object_case& c) const { return have_at_most(c.exits ? most_faces : few_faces, c); }
 
   void learn(const Object_case& c)
   {
@@ -33,7 +29,7 @@ class Exit_page : public Page<levels::Exits> {
     away_ = distance(c);
     is_counted_ = c.exits.has_value();
     squared_depth_ = c.squared_depth;
-    const bool is_small = c.a->face_count() <= few_faces && c.b->face_count() <= few_faces;
+    const bool is_small = have_at_most(few_faces, c);
     truth_ = is_small ? exits_by_events(c, direction) : c.exits->exits;
     if (is_counted_ && c.exits->exits != truth_)
       throw Truths_disagree("the truth of exits disagrees with what the family has counted", c, Question::solid);
@@ -91,8 +87,6 @@ class Exit_page : public Page<levels::Exits> {
   }
 
   static constexpr int right_statements = 2;
-  /// Both truths know the exits of bodies with no more faces than this.
-  static constexpr std::size_t few_faces = 12;
 
   Solid_exits truth_;
   bool is_counted_ = false;

@@ -25,6 +25,15 @@ namespace tetracone::verify {
 /// One in this many of a family's cases is tried with relations.
 inline constexpr std::uint64_t relation_stride = 4;
 
+/// Truths that take long judge bodies of at most this many faces.
+inline constexpr std::size_t few_faces = 12;
+
+/// True when neither body has more than `most` faces.
+inline bool have_at_most(std::size_t most, const Object_case& c)
+{
+  return c.a->face_count() <= most && c.b->face_count() <= most;
+}
+
 /// A batch, and who is asked it.
 template <class Level>
 struct Job {

@@ -60,7 +60,7 @@ class Contact_page : public List_page<levels::Contacts> {
  public:
   auto relations() const { return contact_relations(); }
   bool tries_relations(std::uint64_t, Question, const Told& told) const { return told.outcome == Outcome::yes; }
-  bool takes(const Object_case& c) const { return c.a->face_count() <= most_faces && c.b->face_count() <= most_faces; }
+  bool takes(const Object_case& c) const { return have_at_most(most_faces, c); }
 
   void learn(const Object_case& c)
   {

@@ -58,7 +58,7 @@ class Relation_page : public Page<levels::Relations> {
   std::array<Question, 1> questions(const Object_case&) const { return {Question::solid}; }
   auto relations() const { return solid_relations(); }
   bool tries_relations(std::uint64_t, Question, const Told& told) const { return told.outcome == Outcome::yes; }
-  bool takes(const Object_case& c) const { return c.a->face_count() <= most_faces && c.b->face_count() <= most_faces; }
+  bool takes(const Object_case& c) const { return have_at_most(most_faces, c); }
 
   void learn(const Object_case& c)
   {
@@ -72,8 +72,7 @@ class Relation_page : public Page<levels::Relations> {
         integer_truth::collide(c, Question::surface) != (dimension >= 0) ||
         verify::dimension(integer_truth::contacts(c)) != dimension)
       throw Truths_disagree("the two truths of a relation disagree about points in common", c, Question::solid);
-    if (c.a->face_count() <= few_faces && c.b->face_count() <= few_faces &&
-        !integer_truth::agrees(integer_truth::volumes(c), truth_))
+    if (have_at_most(few_faces, c) && !integer_truth::agrees(integer_truth::volumes(c), truth_))
       throw Truths_disagree("the two truths of a relation disagree about volumes", c, Question::solid);
   }
 
@@ -122,8 +121,6 @@ class Relation_page : public Page<levels::Relations> {
 
  private:
   static constexpr int overlap_statements = 19;
-  /// Both truths know the volumes of bodies with no more faces than this.
-  static constexpr std::size_t few_faces = 12;
 
   Solid_overlap truth_;
   Shared_area shared_;

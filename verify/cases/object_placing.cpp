@@ -59,12 +59,26 @@ Pose rational_rotation(Random& random, int size)
   }
 }
 
+Pose rotated(const Rotation& m, const Vector& at)
+{
+  const auto& [x, y, z] = m;
+  return Pose(std::array<double, 12>{x[0], x[1], x[2], at[0], y[0], y[1], y[2], at[1], z[0], z[1], z[2], at[2]});
+}
+
 Pose double_rotation(Random& random)
 {
   const auto [w, x, y, z] = random.quaternion();
-  const Rotation r = rotation(w, x, y, z);
-  return Pose(
-      std::array<double, 12>{r[0][0], r[0][1], r[0][2], 0, r[1][0], r[1][1], r[1][2], 0, r[2][0], r[2][1], r[2][2], 0});
+  return rotated(rotation(w, x, y, z), {});
+}
+
+Pose rounded_product(const Pose& second, const Pose& first)
+{
+  std::array<double, 12> entries{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      entries[4 * i + j] =
+          second[4 * i] * first[j] + second[4 * i + 1] * first[4 + j] + second[4 * i + 2] * first[8 + j];
+  return Pose(entries);
 }
 
 std::array<Pose, 2> shear_and_inverse(Random& random, int size)

@@ -35,8 +35,14 @@ Pose signed_permutation(int k);
 /// The rotation of a quaternion of integers from -size to size.
 Pose rational_rotation(Random& random, int size);
 
+/// Returns the pose that rotates, then moves by `at`.
+Pose rotated(const Rotation& m, const Vector& at);
+
 /// The rounded rotation of a random quaternion.
 Pose double_rotation(Random& random);
+
+/// Returns the product of the linear parts, each entry rounded as a program would; the translation is 0.
+Pose rounded_product(const Pose& second, const Pose& first);
 
 /// A product of two integer shears x += s y with |s| <= `size`, which is unimodular; and its inverse.
 std::array<Pose, 2> shear_and_inverse(Random& random, int size);

@@ -8,17 +8,6 @@
 namespace tetracone::verify::object_family {
 namespace {
 
-/// The product of the linear parts, each entry rounded as a program would.
-Pose rounded_product(const Pose& second, const Pose& first)
-{
-  std::array<double, 12> entries{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      entries[4 * i + j] =
-          second[4 * i] * first[j] + second[4 * i + 1] * first[4 + j] + second[4 * i + 2] * first[8 + j];
-  return Pose(entries);
-}
-
 /// Half a turn about an axis, its sines the double nearest to pi's.
 Pose half_turn_in_doubles(int axis)
 {

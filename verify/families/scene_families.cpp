@@ -73,12 +73,7 @@ struct Rigid {
   std::array<double, 4> turn;
   Vector at;
 
-  Pose pose() const
-  {
-    const Rotation m = rotation(turn[0], turn[1], turn[2], turn[3]);
-    return Pose(std::array<double, 12>{m[0][0], m[0][1], m[0][2], at[0], m[1][0], m[1][1], m[1][2], at[1], m[2][0],
-                                       m[2][1], m[2][2], at[2]});
-  }
+  Pose pose() const { return rotated(rotation(turn[0], turn[1], turn[2], turn[3]), at); }
 };
 
 Rigid anywhere(Random& random, double size)

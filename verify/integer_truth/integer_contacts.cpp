@@ -1,6 +1,7 @@
 #include "verify/integer_truth/integer_contacts.h"
 
 #include "verify/integer_truth/integer_contact.h"
+#include "verify/integer_truth/integer_pair.h"
 
 #include <algorithm>
 #include <array>
@@ -275,10 +276,7 @@ class Asked_pair {
 
 Contact_forms contacts(const Object_case& c)
 {
-  Integer_points points_a = placed(c.a->vertices, c.pose_a), points_b = placed(c.b->vertices, c.pose_b);
-  bring_together(points_a, points_b);
-  const Integer denominator = points_a.denominator;
-  const Integer_body a(*c.a, std::move(points_a.points)), b(*c.b, std::move(points_b.points));
+  const auto [denominator, a, b] = integer_pair(c);
   const auto [boxes_a, boxes_b] = element_boxes(a, b);
   Contact_forms forms;
   for (const auto& [i, j] : meeting_boxes(boxes_a.faces, boxes_b.faces))

@@ -1,11 +1,11 @@
 #include "verify/integer_truth/integer_features.h"
 
 #include "verify/integer_truth/integer_contact.h"
+#include "verify/integer_truth/integer_pair.h"
 
 #include <algorithm>
 #include <optional>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace tetracone::verify::integer_truth {
@@ -95,9 +95,7 @@ void add_features(const Integer_body& with_edges, const std::vector<Rank_box>& e
 
 std::vector<Feature_pair> features(const Object_case& c)
 {
-  Integer_points points_a = placed(c.a->vertices, c.pose_a), points_b = placed(c.b->vertices, c.pose_b);
-  bring_together(points_a, points_b);
-  const Integer_body a(*c.a, std::move(points_a.points)), b(*c.b, std::move(points_b.points));
+  const auto [denominator, a, b] = integer_pair(c);
   const auto [of_a, of_b] = element_boxes(a, b);
   std::vector<Feature_pair> features;
   add_features(a, of_a.edges, b, of_b.faces, 0, features);

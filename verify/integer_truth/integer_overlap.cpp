@@ -1,6 +1,7 @@
 #include "verify/integer_truth/integer_overlap.h"
 
 #include "verify/integer_truth/integer_contact.h"
+#include "verify/integer_truth/integer_pair.h"
 
 #include <algorithm>
 #include <array>
@@ -184,10 +185,8 @@ class Sweep {
 
 Volumes volumes(const Object_case& c)
 {
-  Integer_points points_a = placed(c.a->vertices, c.pose_a), points_b = placed(c.b->vertices, c.pose_b);
-  bring_together(points_a, points_b);
-  const mpq_class denominator = points_a.denominator;
-  const Integer_body a(*c.a, std::move(points_a.points)), b(*c.b, std::move(points_b.points));
+  const auto [common, a, b] = integer_pair(c);
+  const mpq_class denominator = common;
   Volumes volumes = Sweep(a, b).volumes();
   for (mpq_class* volume : {&volumes.both, &volumes.only_a, &volumes.only_b})
     *volume /= denominator * denominator * denominator;

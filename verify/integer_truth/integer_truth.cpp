@@ -1,9 +1,9 @@
 #include "verify/integer_truth/integer_truth.h"
 
 #include "verify/integer_truth/integer_contact.h"
+#include "verify/integer_truth/integer_pair.h"
 
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace tetracone::verify::integer_truth {
@@ -50,9 +50,7 @@ bool edges_meet_faces(const Integer_body& with_edges, const std::vector<Rank_box
 
 bool collide(const Object_case& c, kernel::Question question)
 {
-  Integer_points points_a = placed(c.a->vertices, c.pose_a), points_b = placed(c.b->vertices, c.pose_b);
-  bring_together(points_a, points_b);
-  const Integer_body a(*c.a, std::move(points_a.points)), b(*c.b, std::move(points_b.points));
+  const auto [denominator, a, b] = integer_pair(c);
   const auto [of_a, of_b] = element_boxes(a, b);
   if (edges_meet_faces(a, of_a.edges, b, of_b.faces) || edges_meet_faces(b, of_b.edges, a, of_a.faces)) return true;
   return question == kernel::Question::solid &&

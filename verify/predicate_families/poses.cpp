@@ -116,21 +116,16 @@ Predicate_case nearly_singular(Random& random, double d)
 
 Predicate_case drifted_rotation(Random& random, double n)
 {
-  std::array<double, 12> product = double_rotation(random).entries();
-  for (int k = 1; k < n; ++k) {
-    const std::array<double, 12> next = double_rotation(random).entries(), last = product;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        product[4 * i + j] = next[4 * i] * last[j] + next[4 * i + 1] * last[4 + j] + next[4 * i + 2] * last[8 + j];
-  }
+  Pose product = double_rotation(random);
+  for (int k = 1; k < n; ++k) product = rounded_product(double_rotation(random), product);
   Frames f;
   if (one_in(random, 2)) {
-    f.common = Pose(product);
+    f.common = product;
     if (one_in(random, 2)) f.b = signed_permutation(integer(random, 0, 47));
     return any_contact(random, f);
   }
   // B alone has drifted; its points are what the map brings back, rounded.
-  f.b = Pose(product);
+  f.b = product;
   return near_contact(random, f);
 }
 

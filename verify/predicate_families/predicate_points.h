@@ -30,6 +30,7 @@ using object_family::moved;
 using object_family::power_of_two;
 using object_family::preimage;
 using object_family::rounded;
+using object_family::rounded_product;
 using object_family::shear_and_inverse;
 using object_family::signed_permutation;
 using object_family::sum;
