@@ -71,7 +71,8 @@ void add_depth_command(CLI::App& app)
   add_options(*command, *options,
               "Print the square of the length and the vector as fractions; `-` for a length that is not proved to be "
               "the least");
-  add_default(*command, "--relative", options->limits.relative, "The bracket's width over its upper end, at most");
+  add_default(*command, "--relative", options->limits.relative,
+              "The bracket's width over its upper end, at most; in [0, 1)");
   add_default(*command, "--budget", options->limits.budget, "Boxes of translations to look at, at most")
       ->check(whole_number());
   command->footer(

@@ -170,7 +170,7 @@ void choose_families(const Verify_options& options, Campaign& campaign)
   if (!options.families.empty()) campaign.sequence_frames = 0;
 }
 
-/// Returns the names of all levels: "predicate, object, ... or motions".
+/// Returns the names of all levels: "predicate, object, ... or exits".
 std::string level_names()
 {
   std::vector<std::string> names;
@@ -354,8 +354,8 @@ void add_verify_command(CLI::App& app)
   add_default(*command, "--db", options->db, "Database of the results (SQLite)");
   command
       ->add_option("--cases", options->cases,
-                   "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
-                   "features, of contacts, of distances, of scenes and of motions, 64 of points and of rays")
+                   "Cases per family and level; default: 400 of predicates, 24 of objects, 64 of points and of rays, 6 "
+                   "of each other level")
       ->check(CLI::Range(1ul, 1'000'000'000ul));
   add_default(*command, "--seed", options->campaign.seed, "Seed of all cases")->check(CLI::Range(0ul, 1ul << 62));
   add_default(*command, "--shard", options->shard,

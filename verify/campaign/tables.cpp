@@ -144,7 +144,7 @@ constexpr const char* no_hello =
     "CREATE TEMP TABLE IF NOT EXISTS declined (run, level, family, number, subject, question, why);"
     "CREATE TEMP TABLE IF NOT EXISTS skipped (level, family, subject, n)";
 
-/// A field of a CSV, quoted if it contains a comma or a quote.
+/// A field of a CSV, quoted if it contains a comma, a quote or a newline.
 std::string field(const std::string& text)
 {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
