@@ -15,7 +15,8 @@ namespace kernel {
 class Body_motion;
 }
 
-/// The motion of a body over t in [0, 1], taken exactly. Immutable; copies are cheap.
+/// The motion of a body over t in [0, 1], taken exactly. Immutable; copies are cheap. Making one of poses or numbers
+/// throws Error when the thread's floating point is not as exact answers need it.
 class Motion {
  public:
   /// Returns the motion in which every point moves on a line, at constant speed, from its image under `from` to its

@@ -33,7 +33,8 @@ struct Holder {
 /// Writes the text.
 inline std::ostream& operator<<(std::ostream& out, const Holder& holder) { return out << holder.text(); }
 
-/// Two nearest points, one of each placed body, exactly. Fractions are "n/d" in lowest terms, or "n".
+/// Two nearest points, one of each placed body, exactly, in the units of the placed coordinates. Fractions are "n/d" in
+/// lowest terms, or "n".
 struct Nearest {
   double distance = 0;                              ///< the double nearest to the exact distance
   std::string squared;                              ///< the squared distance
@@ -41,7 +42,7 @@ struct Nearest {
   std::array<Holder, 2> holder;                     ///< what holds them
 };
 
-/// The point of a body's surface nearest to a given point.
+/// The point of a body's surface nearest to a given point, in the units of the body's own coordinates.
 struct Nearest_point {
   double distance;              ///< the double nearest to the exact distance, negative for a point inside the solid
   std::array<double, 3> point;  ///< the doubles nearest to the nearest point, or to one of several

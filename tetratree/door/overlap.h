@@ -11,8 +11,9 @@ namespace detail {
 struct Overlap_data;
 }
 
-/// How much two placed solids overlap and touch. Each double is the one nearest to its fraction. A fraction is "n/d" or
-/// "n", in lowest terms. It is reduced and written when it is asked for, since it may have many thousands of digits.
+/// How much two placed solids overlap and touch, in the units of the placed coordinates. Each double is the one nearest
+/// to its fraction. A fraction is "n/d" or "n", in lowest terms. It is reduced and written when it is asked for, since
+/// it may have many thousands of digits.
 class Overlap {
  public:
   double volume = 0;                 ///< of the intersection of the interiors
@@ -29,7 +30,8 @@ class Overlap {
   std::shared_ptr<const detail::Overlap_data> data;  ///< the fractions, not reduced; if null, all are 0
 };
 
-/// Lower and upper bounds of the volume and the centroid of the overlap of two placed solids.
+/// Lower and upper bounds of the volume and the centroid of the overlap of two placed solids, in the units of the
+/// placed coordinates.
 struct Overlap_bounds {
   std::array<double, 2> volume{};                   ///< of the intersection of the interiors
   std::array<std::array<double, 2>, 3> centroid{};  ///< by coordinate; 0 where the volume is 0
@@ -49,12 +51,14 @@ struct Exits {
 
 /// How narrow a bracket of a depth is asked for, and for how much work.
 struct Depth_options {
-  double relative = 1e-9;       ///< the search ends when (high - low) / high is at most this
-  std::size_t budget = 100000;  ///< the search ends after so many boxes of translations, whatever the width
+  /// The search ends when (high - low) / high is at most this; in [0, 1), else `depth` throws Error.
+  double relative = 1e-9;
+  std::size_t budget = 100000;  ///< the search ends after this number of boxes of translations, whatever the width
 };
 
 /// A bracket of the length of the least translation of A after which the interiors of two solids share no point. The
-/// solids may touch. All is 0 where the interiors share no point at the start.
+/// solids may touch. All is 0 where the interiors share no point at the start. Lengths are in the units of the placed
+/// coordinates.
 struct Depth {
   double low = 0;                  ///< lower bound
   double high = 0;                 ///< upper bound: the length of `exact_vector`, rounded up

@@ -63,7 +63,7 @@ using tetratree::Ray;
 using tetratree::Ray_hit;
 
 /// The affine map x -> M x + t that places a body, taken exactly. M need not be a rotation. Immutable; copies are
-/// cheap.
+/// cheap. Making one of numbers throws Error when the thread's floating point is not as exact answers need it.
 class Pose {
  public:
   /// The identity.
@@ -354,7 +354,8 @@ class Query {
   /// Same, for poses of the templates. Requires det M != 0.
   std::vector<Index> zone(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
 
-  /// Returns a lower bound of the distance after the answer `apart`; 0 if `collide` did not compute one.
+  /// Returns a lower bound of the distance after the answer `apart`, in the units of the placed coordinates; 0 if
+  /// `collide` did not compute one.
   double certified_gap() const;
 
   /// Returns exact bounds of the first time at which the moving bodies share a point; nothing if they never do. The

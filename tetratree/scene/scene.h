@@ -53,7 +53,7 @@ struct Scene_contact {
 /// Two bodies of a scene that are near.
 struct Scene_distance {
   Scene_pair pair;  ///< the bodies
-  double distance;  ///< the double nearest to their distance, 0 where they collide
+  double distance;  ///< the double nearest to their distance in placed coordinates, 0 where they collide
 };
 
 /// The cost of a frame, or of a call of `first_contacts` or `pairs_within`.
@@ -93,17 +93,18 @@ class Scene {
   /// Adds a body of a model, not placed yet; returns its number, from 0. Throws Error for a model's number out of
   /// range.
   std::size_t add_body(std::size_t model);
-  /// Takes a body out; its number is not used again. This and the next functions throw Error for a body that is not
-  /// there.
+  /// Takes a body out; its number is not used again. Throws Error for a body that is not there.
   void remove_body(std::size_t body);
-  /// Makes the body one of another model. Throws Error also for a model's number out of range.
+  /// Makes the body one of another model. Throws Error for a body that is not there, and for a model's number out of
+  /// range.
   void set_model(std::size_t body, std::size_t model);
-  /// Leaves this pair out of all answers about pairs. Throws Error also for a body with itself.
+  /// Leaves this pair out of all answers about pairs. Throws Error for a body that is not there, and for a body with
+  /// itself.
   void ignore(std::size_t body_a, std::size_t body_b);
 
-  /// Places a body; it stays there until it is placed anew.
+  /// Places a body; it stays there until it is placed anew. Throws Error for a body that is not there.
   void place(std::size_t body, const Pose& pose);
-  /// Places a body by a pose of the templates. Requires det M != 0.
+  /// Places a body by a pose of the templates. Requires det M != 0. Throws Error for a body that is not there.
   void place(std::size_t body, const kernel::Pose& pose);
 
   /// Returns the pairs of placed bodies that collide now, in order. Only pairs of bodies that moved are decided anew,
@@ -157,7 +158,7 @@ class Scene {
   double distance(std::size_t body_a, std::size_t body_b);
   /// True when their distance is at most `limit`. Throws as `relation`, and as `Query::within`.
   bool within(std::size_t body_a, std::size_t body_b, double limit);
-  /// Returns the answer for a decimal, which stands for the nearest double, or a fraction "n/d".
+  /// Returns the answer for a decimal, which stands for the nearest double, or a fraction "n/d". Throws as above.
   bool within(std::size_t body_a, std::size_t body_b, const std::string& limit);
 
  private:
