@@ -16,7 +16,7 @@ if not PROGRAM:
     print("skipped: no program")
     sys.exit(77)
 BUILD = os.path.dirname(PROGRAM)
-PAGES = ("README.md", "CONTRIBUTING.md", "kernel/README.md", "covering/README.md", "tetratree/README.md", "tetratree/python/README.md", "verify/README.md",
+PAGES = ("README.md", "CONTRIBUTING.md", "kernel/README.md", "covering/README.md", "tetratree/README.md", "tetratree/glossary.md", "tetratree/python/README.md", "verify/README.md",
          "experiments/README.md", "experiments/artifact/README.md", "experiments/results/README.md", "experiments/speed/README.md", "experiments/subjects/README.md",
          "experiments/cluster/README.md", "verify/corpus/README.md", "tetratree/door/mainpage.md")
 # Words for what the reader chooses.
@@ -129,7 +129,7 @@ class Documentation(unittest.TestCase):
                 self.assertLessEqual(len(file.readlines()), most, page)
 
     def test_tables_of_rooms_name_the_rooms_that_there_are(self):
-        for folder in ("kernel", "verify"):
+        for folder in ("kernel", "tetratree", "verify", "experiments"):
             with open(os.path.join(SOURCE, folder, "README.md"), encoding="utf-8") as file:
                 named = {room for row in re.findall(r"^\| (`[a-z_/`, ]+`) \|", file.read(), re.M) for room in re.findall(r"`([a-z_]+)/`", row)}
             there = {entry.name for entry in os.scandir(os.path.join(SOURCE, folder)) if entry.is_dir() and not entry.name.startswith("_")}
