@@ -55,7 +55,6 @@ inline std::vector<Other_constant> other_constants()
       {"tetratree/certificate/sides.h", "0x1p-20", unit, "a unit of random offsets of points to try"},
       {"tetratree/certificate/approach.h", "0x1p-2", choice, "a share of a segment's length that is tried"},
       {"tetratree/certificate/approach.h", "0x1p-5", choice, "a share of a segment's length that is tried"},
-      {"tetratree/certificate/approach.h", "0x1p-10", unit, "a unit of random places to try"},
       {"tetratree/certificate/ways.h", "0x1p-4", choice, "a share of a body's size that is tried"},
       {"tetratree/certificate/ways.h", "shortest", choice, "where a cover over intervals is given up"},
       {"tetratree/certificate/lower_bound.h", "shortest", choice, "where a cover over intervals is given up"},
