@@ -98,10 +98,10 @@ class Certificate {
   /// Adds an answer of `Query::within` for this limit. `nearest` is the answer of `Query::nearest`.
   bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const std::string& limit,
               bool answer, const Nearest& nearest);
-  /// Adds the relation of an answer of `Query::solid_relation`; the dimension has no proof. `inside`
-  /// and `contains` are proved where the surfaces share no point, the others but `disjoint` where a search finds a proof. An
-  /// overlap needs surfaces that share a point. Solids that touch and do not overlap are proved where a plane is
-  /// between them. They are also proved where a body that shrinks, grows or moves aside a little has no contact left.
+  /// Adds the relation of an answer of `Query::solid_relation`; the dimension has no proof. `inside` and `contains` are
+  /// proved where the surfaces share no point, the others but `disjoint` where a search finds a proof. An overlap needs
+  /// surfaces that share a point. Solids that touch and do not overlap are proved where a plane is between them. They
+  /// are also proved where a body that shrinks, grows or moves aside a little has no contact left.
   /// Equal solids are proved where they have the same faces, too.
   bool relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Solid_relation answer);
   /// Adds an answer of `Query::exits`, as fractions. That no move before the first exit parts the solids is added where

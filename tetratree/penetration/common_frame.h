@@ -12,8 +12,8 @@
 
 namespace tetracone::tetratree {
 
-/// The poses of two bodies after one map x -> 2^-exponent (x - origin), which is exact. Exits and depths become those of
-/// the given poses, times 2^-exponent.
+/// The poses of two bodies after one map x -> 2^-exponent (x - origin), which is exact. Exits and depths become those
+/// of the given poses, times 2^-exponent.
 struct Common_frame {
   std::array<kernel::Pose, 2> pose;
   int exponent = 0;
@@ -22,8 +22,8 @@ struct Common_frame {
 
 /// Returns poses near the origin and near size 1, where enclosures in double are narrow.
 ///
-/// The origin is A's translation in the coordinates where this is much larger than A. Poses of doubles stay such poses. The
-/// exponent is 0 unless A is smaller than 2^-100 or larger than 2^100.
+/// The origin is A's translation in the coordinates where this is much larger than A. Poses of doubles stay such poses.
+/// The exponent is 0 unless A is smaller than 2^-100 or larger than 2^100.
 inline Common_frame common_frame(const kernel::Pose& a, const kernel::Local_scale& scale_of_a, const kernel::Pose& b)
 {
   constexpr double much = 0x1p10;  // by which a translation exceeds A's reach where it is taken off
