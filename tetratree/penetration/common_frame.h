@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_PENETRATION_COMMON_FRAME_H
 
 #include "tetracone/kernel/bound/origin_offset.h"
+#include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 
