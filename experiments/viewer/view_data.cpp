@@ -311,7 +311,7 @@ Json rays_data(const Model_file& model, const std::vector<std::array<double, 6>>
   return rows;
 }
 
-/// The time of each pose, when the bodies first meet, and what meets. Of each body it is the part in words, its
+/// The time of each pose, when the bodies first meet, and what meets. For each body it has the part in words, its
 /// numbers, and whether it is a face.
 Json motion_data(const View_motion& motion, const std::vector<Model_file>& bodies)
 {
