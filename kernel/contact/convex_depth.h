@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,15 +20,15 @@
 
 namespace tetracone::kernel {
 
-/// A convex solid: its corners, and its triangles and edges by numbers of corners.
+/// A convex solid: its corners, and its faces and edges by numbers of corners.
 struct Convex_solid {
   struct Edge {
     std::array<std::uint32_t, 2> corners;
-    std::array<std::uint32_t, 2> triangles;  ///< numbers of its triangles, which use it in opposite directions
+    std::array<std::uint32_t, 2> faces;  ///< numbers of its faces, which lie in different planes
   };
 
   std::vector<Vertex> corners;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< a triangle of each; all are oriented alike
   std::vector<Edge> edges;
 };
 
@@ -39,7 +40,8 @@ struct Convex_solid {
 /// directions do not change the least.
 ///
 /// - Arcs: a product of edges that is a facet's normal, and no face's, lies for each edge between the normals of its
-///   two faces. The plane across the other solid's edge then separates these normals. Other products are left out.
+///   two faces. The plane across the other solid's edge then strictly separates these normals. Other products are left
+///   out. Fractions tell the side where doubles cannot, since parallel faces would leave a product for each two edges.
 /// - Order: directions come in the order of a lower bound of their plane's distance from 0. They end where it exceeds
 ///   the least. For a product n of edges, n . (b - a) / |n| is such a bound, for points of the edges.
 ///
@@ -66,7 +68,7 @@ class Convex_depth {
     }
   }
 
-  /// Returns the least translation. Among equal ones, a face's normal comes first, in the order of triangles.
+  /// Returns the least translation. Among equal ones, a face's normal comes first, in the order of faces.
   const Rational_point& vector() const { return vector_; }
   /// Returns the square of its length.
   const Rational& square() const { return *square_; }
@@ -74,7 +76,7 @@ class Convex_depth {
  private:
   struct Body {
     Body(const Convex_solid& convex, const Pose& pose)
-        : solid(&convex), map(rows_of(pose)), exact(convex.corners.size())
+        : solid(&convex), map(rows_of(pose)), exact(convex.corners.size()), exact_normals(convex.faces.size())
     {}
 
     const Rational_point& exactly(std::uint32_t corner)
@@ -82,14 +84,26 @@ class Convex_depth {
       if (!exact[corner]) exact[corner] = image(solid->corners[corner], map);
       return *exact[corner];
     }
+    Rational_point step(std::uint32_t from, std::uint32_t to) { return difference(exactly(to), exactly(from)); }
+    Rational_point exact_edge(std::uint32_t edge)
+    {
+      const auto& [from, to] = solid->edges[edge].corners;
+      return step(from, to);
+    }
+    const Rational_point& exact_normal(std::uint32_t face)
+    {
+      const auto& t = solid->faces[face];
+      if (!exact_normals[face]) exact_normals[face] = cross(step(t[0], t[1]), step(t[0], t[2]));
+      return *exact_normals[face];
+    }
 
     const Convex_solid* solid;
     std::array<Rational, 12> map;
-    std::vector<Number_point<double>> corners, normals, edges;  // rounded
-    std::vector<std::optional<Rational_point>> exact;           // corners
+    std::vector<Number_point<double>> corners, normals, edges;        // rounded
+    std::vector<std::optional<Rational_point>> exact, exact_normals;  // corners, normals
   };
 
-  /// A direction: the normal of triangle `second` of body `first`, or the product of an edge of each. `least` is a
+  /// A direction: the normal of face `second` of body `first`, or the product of an edge of each. `least` is a
   /// lower bound of its plane's distance from 0.
   struct Candidate {
     bool is_normal;
@@ -114,7 +128,7 @@ class Convex_depth {
       errors_.add_edge(edge);
       return edge;
     };
-    for (const auto& t : body.solid->triangles) body.normals.push_back(cross(step(t[0], t[1]), step(t[0], t[2])));
+    for (const auto& t : body.solid->faces) body.normals.push_back(cross(step(t[0], t[1]), step(t[0], t[2])));
     for (const Convex_solid::Edge& e : body.solid->edges) body.edges.push_back(step(e.corners[0], e.corners[1]));
   }
 
@@ -161,22 +175,26 @@ class Convex_depth {
       }
   }
 
+  /// Returns the sign of an edge's product with a normal.
+  int side(Body& of_edge, std::uint32_t edge, Body& of_normal, std::uint32_t face) const
+  {
+    const double at = dot(of_edge.edges[edge], of_normal.normals[face]);
+    if (std::abs(at) > off_turn_) return at > 0 ? 1 : -1;
+    return CGAL::sign(dot(of_edge.exact_edge(edge), of_normal.exact_normal(face)));
+  }
+
   void add_products_of_edges(std::vector<Candidate>& all)
   {
-    const Body &a = body_[0], &b = body_[1];
-    const double off = is_bounded_ ? errors_.off_turn() : HUGE_VAL;
-    const auto side = [off](const Number_point<double>& edge, const Number_point<double>& normal) {
-      const double at = dot(edge, normal);
-      return at > off ? 1 : at < -off ? -1 : 0;
-    };
+    if (is_bounded_) off_turn_ = errors_.off_turn();
+    Body &a = body_[0], &b = body_[1];
     std::vector<int> sides(b.normals.size());
     for (std::uint32_t i = 0; i < a.edges.size(); ++i) {
-      for (std::size_t f = 0; f < sides.size(); ++f) sides[f] = side(a.edges[i], b.normals[f]);
+      for (std::uint32_t f = 0; f < sides.size(); ++f) sides[f] = side(a, i, b, f);
       const auto& [ends, at_edge] = a.solid->edges[i];
       for (std::uint32_t j = 0; j < b.edges.size(); ++j) {
         const auto& [other_ends, at_other] = b.solid->edges[j];
-        if (sides[at_other[0]] * sides[at_other[1]] > 0) continue;
-        if (side(b.edges[j], a.normals[at_edge[0]]) * side(b.edges[j], a.normals[at_edge[1]]) > 0) continue;
+        if (sides[at_other[0]] * sides[at_other[1]] >= 0) continue;
+        if (side(b, j, a, at_edge[0]) * side(b, j, a, at_edge[1]) >= 0) continue;
         const auto n = cross(a.edges[i], b.edges[j]);
         const double height = dot(n, b.corners[other_ends[0]]) - dot(n, a.corners[ends[0]]);
         for (const int sign : {1, -1}) add(all, {false, i, j, sign, 0, 0}, distance(sign * height, n));
@@ -186,18 +204,8 @@ class Convex_depth {
 
   Rational_point direction(const Candidate& c)
   {
-    Rational_point n;
-    if (c.is_normal) {
-      Body& body = body_[c.first];
-      const auto& t = body.solid->triangles[c.second];
-      n = cross(difference(body.exactly(t[1]), body.exactly(t[0])), difference(body.exactly(t[2]), body.exactly(t[0])));
-    } else {
-      const auto edge = [](Body& body, std::uint32_t k) {
-        const auto& ends = body.solid->edges[k].corners;
-        return difference(body.exactly(ends[1]), body.exactly(ends[0]));
-      };
-      n = cross(edge(body_[0], c.first), edge(body_[1], c.second));
-    }
+    const Rational_point n = c.is_normal ? body_[c.first].exact_normal(c.second)
+                                         : cross(body_[0].exact_edge(c.first), body_[1].exact_edge(c.second));
     return c.sign > 0 ? n : negated(n);
   }
 
@@ -230,7 +238,6 @@ class Convex_depth {
       if (distance(std::ranges::max(seen[1]) - std::ranges::min(seen[0]), about).inf() > most_) return;
     }
     const Rational_point n = direction(c);
-    if (is_zero(n)) return;
     const Rational length = dot(n, n), at = largest(n, seen[1], body_[1], 1) + largest(n, seen[0], body_[0], -1),
                    square = at * at / length;
     if (square_ && (*square_ < square || (*square_ == square && rank_ < c.rank))) return;
@@ -244,7 +251,8 @@ class Convex_depth {
   std::array<Body, 2> body_;
   Corner_errors errors_;
   bool is_bounded_ = true;
-  double most_ = HUGE_VAL;  // upper bound of the least distance
+  double off_turn_ = HUGE_VAL;  // upper bound of the error of an edge's product with a normal
+  double most_ = HUGE_VAL;      // upper bound of the least distance
   std::optional<Rational> square_;
   std::size_t rank_ = 0;
   Rational_point vector_;

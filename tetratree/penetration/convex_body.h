@@ -2,45 +2,68 @@
 #define TETRACONE_TETRATREE_PENETRATION_CONVEX_BODY_H
 
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/contact/convex_depth.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <set>
+#include <functional>
 #include <vector>
 
 namespace tetracone::tetratree {
 
+/// Returns the triangles of each plane of a simple solid, of those that share edges. The groups are in the order of
+/// their first triangles.
+inline std::vector<std::vector<Index>> triangles_of_planes(const covering::Polyhedron& polyhedron,
+                                                           const Solid_sides& sides)
+{
+  covering::Union_find planes(polyhedron.face_count());
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (const auto& beyond = sides.beyond(f, k); beyond.side == kernel::ZERO) planes.join(f, beyond.face);
+  return covering::grouped_faces(polyhedron.face_count(), planes, std::identity());
+}
+
 /// True when the solid is convex, and no face lies inside it. Then each triangle parts the solid from its outside, and
-/// no two corners are on different sides of its plane. Bodies with more pairs of a triangle and a corner than
-/// `most_pairs` are not looked at: false.
+/// no two corners are on different sides of a plane. Bodies with more pairs of a plane and a corner than `most_pairs`
+/// are not looked at: false.
 inline bool is_convex(const covering::Polyhedron& polyhedron, const Solid_sides& sides)
 {
   constexpr std::size_t most_pairs = 20'000'000;
   using K = kernel::Adaptive;
-  if (!sides.is_simple() || polyhedron.face_count() * polyhedron.vertices.size() > most_pairs) return false;
-  std::set<Index> used;
-  for (Index f = 0; f < polyhedron.face_count(); ++f)
-    for (const Index v : polyhedron.loop(f, 0)) used.insert(v);
+  if (!sides.is_simple()) return false;
   std::vector<K::Point_3> corners;
-  for (const kernel::Vertex& v : polyhedron.vertices) corners.push_back(K::unmoved(v));
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    const covering::Loop t = polyhedron.loop(f, 0);
+  std::vector<bool> is_used(polyhedron.vertices.size(), false);
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      if (sides.beyond(f, k).side == kernel::NEGATIVE) return false;
+      const Index v = polyhedron.loop(f, 0)[std::size_t(k)];
+      if (!is_used[sides.place(v)]) corners.push_back(K::unmoved(polyhedron.vertices[v]));
+      is_used[sides.place(v)] = true;
+    }
+  const auto planes = triangles_of_planes(polyhedron, sides);
+  if (planes.size() * corners.size() > most_pairs) return false;
+  for (const std::vector<Index>& plane : planes) {
+    const covering::Loop t = polyhedron.loop(plane.front(), 0);
+    const auto at = [&](int k) { return K::unmoved(polyhedron.vertices[t[std::size_t(k)]]); };
     CGAL::Sign side = CGAL::ZERO;
-    for (const Index v : used) {
-      const CGAL::Sign of_v = K::volume_sign(corners[t[0]], corners[t[1]], corners[t[2]], corners[v]);
-      if (of_v * side == CGAL::NEGATIVE) return false;
-      if (of_v != CGAL::ZERO) side = of_v;
+    for (const K::Point_3& corner : corners) {
+      const CGAL::Sign of_corner = K::volume_sign(at(0), at(1), at(2), corner);
+      if (of_corner * side == CGAL::NEGATIVE) return false;
+      if (of_corner != CGAL::ZERO) side = of_corner;
     }
   }
   return true;
 }
 
-/// Returns the corners, triangles and edges of a convex solid. Requires `is_convex`.
+/// Returns the corners, faces and edges of a convex solid. Requires `is_convex`.
+///
+/// The triangles of a plane are one face. Otherwise the end of a cylinder over a polygon of many corners would give its
+/// normal once a triangle.
 inline kernel::Convex_solid convex_solid(const covering::Polyhedron& polyhedron, const Solid_sides& sides)
 {
   kernel::Convex_solid solid;
@@ -53,14 +76,19 @@ inline kernel::Convex_solid convex_solid(const covering::Polyhedron& polyhedron,
     }
     return number[v];
   };
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> half_edges;
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    const covering::Loop t = polyhedron.loop(f, 0);
-    solid.triangles.push_back({corner(t[0]), corner(t[1]), corner(t[2])});
-    for (int k = 0; k < 3; ++k) half_edges[{corner(t[k]), corner(t[(k + 1) % 3])}] = f;
+  std::vector<std::uint32_t> face(polyhedron.face_count());
+  for (const std::vector<Index>& plane : triangles_of_planes(polyhedron, sides)) {
+    for (const Index f : plane) face[f] = std::uint32_t(solid.faces.size());
+    const covering::Loop t = polyhedron.loop(plane.front(), 0);
+    solid.faces.push_back({corner(t[0]), corner(t[1]), corner(t[2])});
   }
-  for (const auto& [ends, f] : half_edges)
-    if (ends[0] < ends[1]) solid.edges.push_back({ends, {f, half_edges.at({ends[1], ends[0]})}});
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const covering::Loop t = polyhedron.loop(f, 0);
+      const std::array<std::uint32_t, 2> faces = {face[f], face[sides.beyond(f, k).face]};
+      if (faces[0] < faces[1])
+        solid.edges.push_back({{corner(t[std::size_t(k)]), corner(t[std::size_t(k + 1) % 3])}, faces});
+    }
   return solid;
 }
 

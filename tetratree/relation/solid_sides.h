@@ -76,6 +76,7 @@ class Solid_sides {
 
   /// The other triangle at an edge of a triangle.
   struct Beyond_edge {
+    Index face = covering::none;
     Index apex = covering::none;  ///< its third corner
     /// The side of the apex: POSITIVE where the solid is, at a convex edge; ZERO in the triangle's plane.
     kernel::Sign side = kernel::ZERO;
@@ -181,6 +182,7 @@ class Solid_sides {
       for (const auto& [own, other] : {std::pair(edge[0], edge[1]), std::pair(edge[1], edge[0])}) {
         const covering::Loop v = polyhedron_->loop(own.face, 0);
         Beyond_edge& beyond = beyond_[3 * std::size_t(own.face) + std::size_t(apex(own) + 1) % 3];
+        beyond.face = other.face;
         beyond.apex = polyhedron_->loop(other.face, 0)[apex(other)];
         const kernel::Sign side = kernel::volume_sign<kernel::Adaptive>(model.point(v[0]), model.point(v[1]),
                                                                         model.point(v[2]), model.point(beyond.apex));
