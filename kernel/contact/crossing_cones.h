@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,18 @@ struct Edge_crossing {
       part = -part;
     }
     for (int k = 0; k < 3; ++k) top[k] = from[k] * bottom + part * whole[k];
+    if constexpr (std::is_same_v<N, mpz_class>) shorten(from, to);
+  }
+
+ private:
+  /// Gives an end of the edge the denominator 1. The limit of a crossing may be one.
+  void shorten(const Number_point<N>& from, const Number_point<N>& to)
+  {
+    const bool is_end = part == bottom;
+    if (!is_end && part != 0) return;
+    top = is_end ? to : from;
+    part = is_end;
+    bottom = 1;
   }
 };
 
@@ -193,6 +206,7 @@ class Crossing_cones {
     Number_point<N> along;
     for (int k = 0; k < 3; ++k) along[k] = y.top[k] * x.bottom - x.top[k] * y.bottom;
     const int way = certain_sign(dot(cross(f.normal(), g.normal()), along));
+    if (way == 0) return;  // the limit of a segment is a point
     const Number_point<N> xy = cross(x.top, y.top);
     const N of_f = dot(f.corner[0], xy) * way, of_g = dot(g.corner[0], xy) * way, bottom = x.bottom * y.bottom;
     Number_point<N> moment;

@@ -44,10 +44,11 @@ namespace detail {
 ///
 /// After Guigue and Devillers: p0 and q0 are each alone on the positive side of the other's plane. Edge p0 pi meets the
 /// common line in ai, and edge q0 qj in bj. The triangles' intervals there are [a2, a1] and [b1, b2], and
-/// volume_sign(p0, pi, q0, qj) is the sign of bj - ai.
-template <class K>
-Triangle_contact crossing_contact(const Corners<K>& p, const Corners<K>& q, const std::array<Sign, 3>& side_p,
-                                  const std::array<Sign, 3>& side_q)
+/// volume_sign(p0, pi, q0, qj) is the sign of bj - ai. sign_of(corner of p, corner of p, corner of q, corner of q)
+/// returns it.
+template <class Sign_of>
+Triangle_contact crossing_contact(const std::array<Sign, 3>& side_p, const std::array<Sign, 3>& side_q,
+                                  const Sign_of& sign_of)
 {
   /// The numbers that the corners of a turned triangle had before, and whether the other triangle is turned over.
   struct Turned {
@@ -81,7 +82,7 @@ Triangle_contact crossing_contact(const Corners<K>& p, const Corners<K>& q, cons
   if (at_p.flips) std::swap(at_q.corner[1], at_q.corner[2]);
   if (at_q.flips) std::swap(at_p.corner[1], at_p.corner[2]);
   const auto order = [&](int i, int j) {
-    return volume_sign<K>(*p[at_p.corner[0]], *p[at_p.corner[i]], *q[at_q.corner[0]], *q[at_q.corner[j]]);
+    return sign_of(at_p.corner[0], at_p.corner[i], at_q.corner[0], at_q.corner[j]);
   };
   const Sign b1_a1 = order(1, 1);
   if (b1_a1 == POSITIVE) return {};
@@ -187,7 +188,8 @@ Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q, cons
     const int axis = projection_axis<K>(*p[0], *p[1], *p[2]);
     return detail::Coplanar_contact<K>(p, q, axis)();
   }
-  return detail::crossing_contact<K>(p, q, side_p, side_q);
+  return detail::crossing_contact(
+      side_p, side_q, [&](int p0, int pi, int q0, int qj) { return volume_sign<K>(*p[p0], *p[pi], *q[q0], *q[qj]); });
 }
 
 /// Decides the sides by `sides<K>`.

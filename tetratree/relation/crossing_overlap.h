@@ -17,6 +17,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <type_traits>
@@ -59,21 +60,29 @@ class Interval_placing {
   std::array<std::array<Interval, 12>, 2> map_;
 };
 
+/// True when a vertex of a body is on the other surface. Empty: no vertex is.
+using Is_on_other = std::function<bool(int body, Index v)>;
+
 /// The overlap of two simple solids in general position. All that their surfaces share are segments. At each end an
 /// edge of one solid goes through the inside of a face of the other. No face needs to be cut into cells then.
+///
+/// It is also the limit of overlaps, where the contacts are those after an infinitesimal move: `Perturbed_contacts`. The
+/// ends of a segment may be equal then, and vertices may be on the other surface.
 template <class Placing>
 class Crossing_overlap {
  public:
   using N = typename Placing::Number;
 
-  /// Sums up the overlap; `is_vertex_inside` is asked in here alone. Requires `is_general` and, for intervals, upward
-  /// rounding. Throws CGAL::Uncertain_conversion_exception where intervals do not decide a sign.
+  /// Sums up the overlap. It asks `is_vertex_inside` in here alone, and only for vertices off the other surface.
+  /// Requires `is_general`, maybe after a move, and upward rounding for intervals. Throws
+  /// CGAL::Uncertain_conversion_exception where intervals do not decide a sign.
   Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found,
-                   const Is_vertex_inside& is_vertex_inside)
+                   const Is_vertex_inside& is_vertex_inside, const Is_on_other& is_on_other = {})
       : placing(placing_of(a, b)),
         solid_{&a, &b},
         joined_{covering::Union_find(a.sides().place_count()), covering::Union_find(b.sides().place_count())},
-        is_vertex_inside_(is_vertex_inside)
+        is_vertex_inside_(is_vertex_inside),
+        is_on_other_(is_on_other)
   {
     for (const Found_piece& piece : found.pieces) {
       place(0, piece.face_a);
@@ -85,6 +94,9 @@ class Crossing_overlap {
       add_edges_and_whole_faces(body);
     }
   }
+
+  /// False where all vertices of a part that no edge crosses are on the other surface. Then the sums are of no use.
+  bool is_decided() const { return is_decided_; }
 
   /// Returns the volume and the centroid. Faces that are wholly inside are summed over the model.
   kernel::Exact_solid value() requires std::is_same_v<N, mpz_class>
@@ -192,9 +204,24 @@ class Crossing_overlap {
     if (is_new) {
       // Intervals have set another rounding mode, in which nothing else may be asked.
       const CGAL::Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
-      at->second = is_vertex_inside_(body, v);
+      const Index asked = off_other(body, v);
+      if (asked == covering::none)
+        is_decided_ = false;
+      else
+        at->second = is_vertex_inside_(body, asked);
     }
     return at->second;
+  }
+
+  /// Returns a vertex off the other surface that is inside or outside together with v; `none` if there is none.
+  Index off_other(int body, Index v)
+  {
+    if (!is_on_other_ || !is_on_other_(body, v)) return v;
+    const Solid_sides& sides = solid_[body]->sides();
+    const Index root = joined_[body].root(sides.place(v));
+    for (Index w = 0; w < solid_[body]->polyhedron().vertices.size(); ++w)
+      if (joined_[body].root(sides.place(w)) == root && !is_on_other_(body, w)) return w;
+    return covering::none;
   }
 
   /// Adds the edges of faces that meet the other body, and the faces that lie wholly inside it.
@@ -240,6 +267,8 @@ class Crossing_overlap {
   std::map<std::array<Index, 4>, std::uint32_t> numbers_;  // of crossings: by body, ends of the edge, other face
   std::array<covering::Union_find, 2> joined_;
   Is_vertex_inside is_vertex_inside_;
+  Is_on_other is_on_other_;
+  bool is_decided_ = true;
   std::array<std::map<Index, bool>, 2> is_inside_;  // by the root of the vertex's place
   std::array<kernel::Model_cones, 2> whole_;
   std::array<bool, 2> has_whole_{};

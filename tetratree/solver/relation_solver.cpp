@@ -13,6 +13,7 @@
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 #include "tetracone/tetratree/relation/crossing_overlap.h"
+#include "tetracone/tetratree/relation/perturbed_contacts.h"
 #include "tetracone/tetratree/relation/simple_relation.h"
 #include "tetracone/tetratree/relation/solid_pair.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -183,11 +185,14 @@ class Bvh8_relation_solver : public Relation_solver {
   Overlap exact_overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Found_contacts contacts)
   {
     tetratree::Solid_overlap found;
-    if (place_general(pose_a, pose_b, contacts)) {
+    const bool is_general = place_general(pose_a, pose_b, contacts);
+    if (is_general)
       found.all = tetratree::Crossing_overlap<kernel::Integer_placing>(exactly().pair.solid(0), exactly().pair.solid(1),
                                                                        contacts, is_vertex_inside())
                       .value();
-    } else {
+    else if (auto perturbed = overlap_by_limit(pose_a, pose_b, contacts))
+      found = std::move(*perturbed);
+    else {
       place(pose_a, pose_b, std::move(contacts));
       found = exactly().pair.overlap();
     }
@@ -207,6 +212,52 @@ class Bvh8_relation_solver : public Relation_solver {
     overlap.data = exact;
     overlap.contact_area = kernel::enclosed_root_sum(found.squared_areas);
     return overlap;
+  }
+
+  /// Returns the overlap as the limit of overlaps in general position; nothing where that does not decide.
+  std::optional<tetratree::Solid_overlap> overlap_by_limit(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                                                         const tetratree::Found_contacts& contacts)
+  {
+    if (!are_simple()) return std::nullopt;
+    Placed_solid &a = exactly().pair.solid(0), &b = exactly().pair.solid(1);
+    a.place(pose_a);
+    b.place(pose_b);
+    const tetratree::Perturbed_contacts perturbed(
+        a, b, contacts, [this](int body, Index v) -> const auto& {
+          return (body == 0 ? collision_.placed_a() : collision_.placed_b()).point(v);
+        });
+    tetratree::Crossing_overlap<kernel::Integer_placing> sums(
+        a, b, perturbed.contacts, is_vertex_inside(), [&](int body, Index v) { return perturbed.is_on_other(body, v); });
+    if (!sums.is_decided()) return std::nullopt;
+    tetratree::Solid_overlap overlap;
+    overlap.all = sums.value();
+    add_contact(contacts_data(pose_a, pose_b, contacts), overlap);
+    return overlap;
+  }
+
+  /// Adds the areas where faces of simple solids lie on one another. Each polygon that two faces share is a piece.
+  void add_contact(const Contacts_data& data, tetratree::Solid_overlap& overlap)
+  {
+    Placed_solid& a = exactly().pair.solid(0);
+    std::map<Index, kernel::Rational_point> twice;  // by faces of A, along their normals
+    for (std::size_t k = 0; k < data.found.pieces.size(); ++k) {
+      const tetratree::Found_piece& piece = data.found.pieces[k];
+      if (piece.kind != kernel::Piece::polygon) continue;
+      const auto loop = rational_loops(data, k).front();
+      kernel::Rational_point area = {0, 0, 0};
+      for (std::size_t c = 0; c < loop.size(); ++c) {
+        const auto cross = kernel::cross(loop[c], loop[(c + 1) % loop.size()]);
+        for (std::size_t i = 0; i < 3; ++i) area[i] += cross[i];
+      }
+      const bool is_turned = sgn(kernel::dot(area, a.face(piece.face_a).normal())) < 0;
+      kernel::Rational_point& sum = twice[piece.face_a];
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += is_turned ? kernel::Rational(-area[i]) : area[i];
+    }
+    for (const auto& [face, area] : twice) {
+      overlap.squared_areas.push_back(kernel::dot(area, area) / 4);
+      const int outward = a.plain_sides(face).against ? 1 : -1;
+      for (std::size_t i = 0; i < 3; ++i) overlap.contact_vector[i] += outward * area[i] / 2;
+    }
   }
 
   static bool interiors_meet(Solid_relation relation)
@@ -328,11 +379,17 @@ class Bvh8_relation_solver : public Relation_solver {
     return dimension;
   }
 
-  void place(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Found_contacts found)
+  Contacts_data contacts_data(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                              tetratree::Found_contacts found) const
   {
     // The bodies of triangles belong to the bodies, which outlive this.
     const auto shared = [](const Shared_body& body) { return Shared_body(body, &body->by_triangles()); };
-    const Contacts_data data{std::move(found), shared(body_[0]), shared(body_[1]), pose_a, pose_b};
+    return {std::move(found), shared(body_[0]), shared(body_[1]), pose_a, pose_b};
+  }
+
+  void place(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Found_contacts found)
+  {
+    const Contacts_data data = contacts_data(pose_a, pose_b, std::move(found));
     std::vector<Solid_piece> pieces;
     for (std::size_t k = 0; k < data.found.pieces.size(); ++k) {
       const tetratree::Found_piece& piece = data.found.pieces[k];

@@ -9,6 +9,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -239,6 +240,46 @@ BOOST_AUTO_TEST_CASE(a_volume_in_general_position_is_that_of_the_cells)
   }
   BOOST_TEST(general > 20);
   BOOST_TEST(told_apart > 20);  // by intervals
+}
+
+BOOST_AUTO_TEST_CASE(an_overlap_of_solids_that_touch_is_that_of_the_cells)
+{
+  // A sheet far away makes a body that is not simple, so that cells are asked.
+  const auto on_grid = [](double x) { return std::round(64 * x) / 64; };
+  std::vector<std::array<double, 2>> star;
+  for (int k = 0; k < 10; ++k) {
+    const double angle = 2 * M_PI * k / 10, radius = k % 2 == 0 ? 2 : 1.25;
+    star.push_back({on_grid(radius * std::cos(angle)), on_grid(radius * std::sin(angle))});
+  }
+  const std::vector<Polyhedron> bodies = {
+      scenes::box({-1, -1, 0}, {1, 1, 2}),
+      scenes::prism(star, 2),
+      scenes::tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}),
+      scenes::tetrahedron({1, 0, 0}, {-1, 0, 0}, {0, 1, 2}, {0, -1, 2}),
+      scenes::triangulated(scenes::torus(4, 3)),
+      scenes::cube_with_tunnel(),
+  };
+  scenes::Random random(9);
+  int overlapping = 0, touching = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const Body a(bodies[i]), with_sheet(scenes::both(bodies[i], sheet({50, 50, 50}, 1)));
+      for (const Vertex& shift : {Vertex{0, 0, 0}, {0.5, 0, 0}, {0, 0, 2}, {-2, 0, 0}, {0.25, 0.5, 0}, {0, 1, 1}}) {
+        const Body b(scenes::moved(bodies[j], 1, shift));
+        const Pose frame = scenes::random_affine(random, 2);
+        const Overlap by_limit = Query(a, b).overlap(frame, frame),
+                      by_cells = Query(with_sheet, b).overlap(frame, frame);
+        const std::string name = std::to_string(i) + " " + std::to_string(j) + " " + std::to_string(shift[0]);
+        BOOST_TEST(by_limit.exact_volume() == by_cells.exact_volume(), name);
+        BOOST_TEST(by_limit.exact_centroid() == by_cells.exact_centroid(), name);
+        BOOST_TEST(by_limit.exact_contact_vector() == by_cells.exact_contact_vector(), name);
+        BOOST_TEST(by_limit.contact_area == by_cells.contact_area, name);
+        overlapping += by_limit.volume > 0;
+        touching += by_limit.contact_area[1] > 0;
+      }
+    }
+  BOOST_TEST(overlapping > 50);
+  BOOST_TEST(touching > 40);
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_solid_or_no_exact_sign_is_refused)
