@@ -66,8 +66,8 @@ using Is_on_other = std::function<bool(int body, Index v)>;
 /// The overlap of two simple solids in general position. All that their surfaces share are segments. At each end an
 /// edge of one solid goes through the inside of a face of the other. No face needs to be cut into cells then.
 ///
-/// It is also the limit of overlaps, where the contacts are those after an infinitesimal move: `Perturbed_contacts`. The
-/// ends of a segment may be equal then, and vertices may be on the other surface.
+/// It is also the limit of overlaps, where the contacts are those after an infinitesimal move: `Perturbed_contacts`.
+/// The ends of a segment may be equal then, and vertices may be on the other surface.
 template <class Placing>
 class Crossing_overlap {
  public:

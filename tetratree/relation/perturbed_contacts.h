@@ -25,8 +25,8 @@ namespace tetracone::tetratree {
 /// move does not change that. So the point has a limit, which is on the edge and on the face.
 ///
 /// - Only faces that share a point now can share one then.
-/// - A side that is not 0 remains. Else it has the sign of the first of its derivatives that is not 0: a component of
-///   the plane's normal n for a corner of A, of -n for a corner of B.
+/// - A side that is not 0 remains. Else it has the sign of the first of its derivatives that is not 0. These are the
+///   components of the plane's normal n for a corner of A, and of -n for a corner of B.
 /// - The sign of an edge e of A against an edge f of B has the components of e x f as its derivatives. Only edges that
 ///   are not parallel are compared, since one goes through a plane that holds the other.
 class Perturbed_contacts {
@@ -36,7 +36,8 @@ class Perturbed_contacts {
   /// Requires placed simple solids, and that `found` is all that their surfaces share. point(body, v) returns the
   /// placed vertex.
   template <class Point_of>
-  Perturbed_contacts(Placed_solid& a, Placed_solid& b, const Found_contacts& found, const Point_of& point) : solid_{&a, &b}
+  Perturbed_contacts(Placed_solid& a, Placed_solid& b, const Found_contacts& found, const Point_of& point)
+      : solid_{&a, &b}
   {
     for (int body = 0; body < 2; ++body) is_on_other_[body].assign(solid_[body]->sides().place_count(), false);
     for (const Found_piece& piece : found.pieces) {

@@ -216,7 +216,7 @@ class Bvh8_relation_solver : public Relation_solver {
 
   /// Returns the overlap as the limit of overlaps in general position; nothing where that does not decide.
   std::optional<tetratree::Solid_overlap> overlap_by_limit(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
-                                                         const tetratree::Found_contacts& contacts)
+                                                           const tetratree::Found_contacts& contacts)
   {
     if (!are_simple()) return std::nullopt;
     Placed_solid &a = exactly().pair.solid(0), &b = exactly().pair.solid(1);
@@ -227,7 +227,8 @@ class Bvh8_relation_solver : public Relation_solver {
           return (body == 0 ? collision_.placed_a() : collision_.placed_b()).point(v);
         });
     tetratree::Crossing_overlap<kernel::Integer_placing> sums(
-        a, b, perturbed.contacts, is_vertex_inside(), [&](int body, Index v) { return perturbed.is_on_other(body, v); });
+        a, b, perturbed.contacts, is_vertex_inside(),
+        [&](int body, Index v) { return perturbed.is_on_other(body, v); });
     if (!sums.is_decided()) return std::nullopt;
     tetratree::Solid_overlap overlap;
     overlap.all = sums.value();
