@@ -9,7 +9,6 @@
 #include "tetracone/tetratree/contact/face_pairs.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
