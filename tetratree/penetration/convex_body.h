@@ -49,10 +49,11 @@ inline bool is_convex(const covering::Polyhedron& polyhedron, const Solid_sides&
   if (planes.size() * corners.size() > most_pairs) return false;
   for (const std::vector<Index>& plane : planes) {
     const covering::Loop t = polyhedron.loop(plane.front(), 0);
-    const auto at = [&](int k) { return K::unmoved(polyhedron.vertices[t[std::size_t(k)]]); };
+    const auto at = [&](std::size_t k) { return K::unmoved(polyhedron.vertices[t[k]]); };
+    const std::array<K::Point_3, 3> triangle = {at(0), at(1), at(2)};
     CGAL::Sign side = CGAL::ZERO;
     for (const K::Point_3& corner : corners) {
-      const CGAL::Sign of_corner = K::volume_sign(at(0), at(1), at(2), corner);
+      const CGAL::Sign of_corner = K::volume_sign(triangle[0], triangle[1], triangle[2], corner);
       if (of_corner * side == CGAL::NEGATIVE) return false;
       if (of_corner != CGAL::ZERO) side = of_corner;
     }

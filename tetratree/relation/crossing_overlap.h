@@ -60,6 +60,12 @@ class Interval_placing {
   std::array<std::array<Interval, 12>, 2> map_;
 };
 
+/// True for a segment at whose ends edges cross the insides of faces.
+inline bool is_crossing_segment(const kernel::Triangle_contact& x)
+{
+  return x.count == 2 && is_crossing(x.corners[0]) && is_crossing(x.corners[1]);
+}
+
 /// True when a vertex of a body is on the other surface. Empty: no vertex is.
 using Is_on_other = std::function<bool(int body, Index v)>;
 
@@ -274,12 +280,11 @@ class Crossing_overlap {
   std::array<bool, 2> has_whole_{};
 };
 
-/// True where two solids are simple, and each piece is a segment at whose ends edges cross the insides of faces.
+/// True where two solids are simple, and each piece is a crossing segment.
 inline bool is_general(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found)
 {
-  return a.sides().is_simple() && b.sides().is_simple() && std::ranges::all_of(found.pieces, [&](const Found_piece& x) {
-           return x.by_signs.count == 2 && is_crossing(x.by_signs.corners[0]) && is_crossing(x.by_signs.corners[1]);
-         });
+  return a.sides().is_simple() && b.sides().is_simple() &&
+         std::ranges::all_of(found.pieces, is_crossing_segment, &Found_piece::by_signs);
 }
 
 /// A volume and a centroid in intervals.

@@ -1,12 +1,14 @@
 #ifndef TETRACONE_TETRATREE_RELATION_PERTURBED_CONTACTS_H
 #define TETRACONE_TETRATREE_RELATION_PERTURBED_CONTACTS_H
 
+#include "tetracone/covering/model.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/kernel/predicate/signs.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
 #include "tetracone/kernel/predicate/triangle_triangle.h"
 #include "tetracone/tetratree/contact/face_pairs.h"
+#include "tetracone/tetratree/relation/crossing_overlap.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
 
 #include <array>
@@ -32,25 +34,19 @@ class Perturbed_contacts {
  public:
   using K = kernel::Adaptive;
 
-  /// Requires placed simple solids, and that `found` is all that their surfaces share. point(body, v) returns the
-  /// placed vertex.
-  template <class Point_of>
-  Perturbed_contacts(Placed_solid& a, Placed_solid& b, const Found_contacts& found, const Point_of& point)
-      : solid_{&a, &b}
+  /// Requires simple solids, and that `found` is all that their surfaces share. The models have the solids' vertices,
+  /// and are placed as the solids are.
+  Perturbed_contacts(Placed_solid& a, covering::Placed_model<K>& model_a, Placed_solid& b,
+                     covering::Placed_model<K>& model_b, const Found_contacts& found)
+      : solid_{&a, &b}, model_{&model_a, &model_b}
   {
     for (int body = 0; body < 2; ++body) is_on_other_[body].assign(solid_[body]->sides().place_count(), false);
     for (const Found_piece& piece : found.pieces) {
       note_vertices(piece);
       Found_piece perturbed = piece;
-      if (!is_segment(piece.by_signs)) perturbed.by_signs = contact(piece, point);
+      if (!is_crossing_segment(piece.by_signs)) perturbed.by_signs = contact(piece);  // the others remain
       if (perturbed.by_signs.count != 0) contacts.pieces.push_back(perturbed);
     }
-  }
-
-  /// True for a segment at whose ends edges cross the insides of faces. It remains.
-  static bool is_segment(const kernel::Triangle_contact& x)
-  {
-    return x.count == 2 && is_crossing(x.corners[0]) && is_crossing(x.corners[1]);
   }
 
   /// True when a vertex of a body is on the other surface before the move.
@@ -72,12 +68,11 @@ class Perturbed_contacts {
   void note_vertex(int body, Index v) { is_on_other_[body][solid_[body]->sides().place(v)] = true; }
 
   /// Returns what two faces share after the move.
-  template <class Point_of>
-  kernel::Triangle_contact contact(const Found_piece& piece, const Point_of& point)
+  kernel::Triangle_contact contact(const Found_piece& piece)
   {
-    const auto corners = [&](int body, Index f) {
-      return kernel::Corners<K>{&point(body, vertex(body, f, 0)), &point(body, vertex(body, f, 1)),
-                                &point(body, vertex(body, f, 2))};
+    const auto corners = [this](int body, Index f) {
+      const auto at = [&](int k) { return &model_[body]->point(vertex(body, f, k)); };
+      return kernel::Corners<K>{at(0), at(1), at(2)};
     };
     const kernel::Corners<K> p = corners(0, piece.face_a), q = corners(1, piece.face_b);
     std::array<kernel::Sign, 3> side_p, side_q;
@@ -106,6 +101,7 @@ class Perturbed_contacts {
   }
 
   std::array<Placed_solid*, 2> solid_;
+  std::array<covering::Placed_model<K>*, 2> model_;
   std::array<std::vector<bool>, 2> is_on_other_;  // by place
 };
 

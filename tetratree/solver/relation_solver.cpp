@@ -95,7 +95,7 @@ class Bvh8_relation_solver : public Relation_solver {
                                                                   const kernel::Pose& pose_b) override
   {
     std::vector<std::vector<kernel::Rational_point>> parts;
-    place(pose_a, pose_b, contacts(pose_a, pose_b));
+    place(contacts_data(pose_a, pose_b, contacts(pose_a, pose_b)));
     exactly().pair.for_border_parts([&](const auto& corners) { parts.emplace_back(corners.begin(), corners.end()); });
     return parts;
   }
@@ -185,16 +185,18 @@ class Bvh8_relation_solver : public Relation_solver {
   Overlap exact_overlap(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Found_contacts contacts)
   {
     tetratree::Solid_overlap found;
-    const bool is_general = place_general(pose_a, pose_b, contacts);
-    if (is_general)
+    if (place_general(pose_a, pose_b, contacts)) {
       found.all = tetratree::Crossing_overlap<kernel::Integer_placing>(exactly().pair.solid(0), exactly().pair.solid(1),
                                                                        contacts, is_vertex_inside())
                       .value();
-    else if (auto perturbed = overlap_by_limit(pose_a, pose_b, contacts))
-      found = std::move(*perturbed);
-    else {
-      place(pose_a, pose_b, std::move(contacts));
-      found = exactly().pair.overlap();
+    } else {
+      const Contacts_data data = contacts_data(pose_a, pose_b, std::move(contacts));
+      if (auto by_limit = overlap_by_limit(data)) {
+        found = std::move(*by_limit);
+      } else {
+        place(data);
+        found = exactly().pair.overlap();
+      }
     }
     Overlap overlap;
     const auto exact = std::make_shared<Overlap_data>();
@@ -215,24 +217,20 @@ class Bvh8_relation_solver : public Relation_solver {
   }
 
   /// Returns the overlap as the limit of overlaps in general position; nothing where that does not decide.
-  std::optional<tetratree::Solid_overlap> overlap_by_limit(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
-                                                           const tetratree::Found_contacts& contacts)
+  std::optional<tetratree::Solid_overlap> overlap_by_limit(const Contacts_data& data)
   {
     if (!are_simple()) return std::nullopt;
     Placed_solid &a = exactly().pair.solid(0), &b = exactly().pair.solid(1);
-    a.place(pose_a);
-    b.place(pose_b);
-    const tetratree::Perturbed_contacts perturbed(
-        a, b, contacts, [this](int body, Index v) -> const auto& {
-          return (body == 0 ? collision_.placed_a() : collision_.placed_b()).point(v);
-        });
+    a.place(data.pose_a);
+    b.place(data.pose_b);
+    const tetratree::Perturbed_contacts perturbed(a, collision_.placed_a(), b, collision_.placed_b(), data.found);
     tetratree::Crossing_overlap<kernel::Integer_placing> sums(
         a, b, perturbed.contacts, is_vertex_inside(),
         [&](int body, Index v) { return perturbed.is_on_other(body, v); });
     if (!sums.is_decided()) return std::nullopt;
     tetratree::Solid_overlap overlap;
     overlap.all = sums.value();
-    add_contact(contacts_data(pose_a, pose_b, contacts), overlap);
+    add_contact(data, overlap);
     return overlap;
   }
 
@@ -388,15 +386,14 @@ class Bvh8_relation_solver : public Relation_solver {
     return {std::move(found), shared(body_[0]), shared(body_[1]), pose_a, pose_b};
   }
 
-  void place(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Found_contacts found)
+  void place(const Contacts_data& data)
   {
-    const Contacts_data data = contacts_data(pose_a, pose_b, std::move(found));
     std::vector<Solid_piece> pieces;
     for (std::size_t k = 0; k < data.found.pieces.size(); ++k) {
       const tetratree::Found_piece& piece = data.found.pieces[k];
       pieces.push_back({{piece.face_a, piece.face_b}, piece.kind, rational_loops(data, k), piece.by_signs});
     }
-    exactly().pair.place(pose_a, pose_b, std::move(pieces));
+    exactly().pair.place(data.pose_a, data.pose_b, std::move(pieces));
   }
 
   /// Returns the relation where it is `disjoint`, or where the pair of triangles that the query met crosses properly.
@@ -429,7 +426,7 @@ class Bvh8_relation_solver : public Relation_solver {
       if (!simple_relation_) simple_relation_.emplace(simple(0), simple(1));
       if (const auto relation = (*simple_relation_)(found, is_vertex_inside())) return *relation;
     }
-    place(pose_a, pose_b, std::move(found));
+    place(contacts_data(pose_a, pose_b, std::move(found)));
     return exactly().pair.relation();
   }
 
