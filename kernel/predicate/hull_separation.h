@@ -34,15 +34,19 @@ inline constexpr double image_underflow = 0x1p-1072;
 /// Exact points, and doubles near their products with one common factor, which keeps the doubles finite.
 ///
 /// The points are given, or are the images of points under an affine map. Images are multiplied out when they are asked
-/// for: a search in doubles needs few of them exactly. One object serves one thread.
+/// for, in doubles too: a search needs few of them. One object serves one thread.
 class Hull_points {
  public:
+  using Rounded_map = std::array<double, 12>;
+
   Hull_points() = default;
   /// These points.
   explicit Hull_points(std::initializer_list<Exact_vector> points) : size_(points.size()), made_(points) {}
-  /// The images of `corners`, which must outlive this object, under a row-major 3x4 matrix.
-  Hull_points(std::span<const Rounded_vector> corners, const std::array<Exact_number, 12>& map)
-      : size_(corners.size()), corners_(corners), map_(map), place_(corners.size())
+  /// The images of `corners` under a row-major 3x4 matrix. `reach` has an upper bound of each coordinate's absolute
+  /// value. The corners must outlive this object.
+  Hull_points(std::span<const Rounded_vector> corners, const Rounded_vector& reach,
+              const std::array<Exact_number, 12>& map)
+      : size_(corners.size()), corners_(corners), reach_(reach), map_(map), place_(corners.size())
   {}
 
   std::size_t size() const { return size_; }
@@ -60,56 +64,67 @@ class Hull_points {
 
   /// Returns point v times `factor`, in doubles. A coordinate is off by at most `error`, or by 2^-52 of itself if that
   /// is more. Requires rounded points.
-  const Rounded_vector& rounded(std::size_t v) const { return rounded_[v]; }
-  /// Returns an upper bound of the error of images that were multiplied out in doubles; else 0.
+  Rounded_vector rounded(std::size_t v) const
+  {
+    if (!rounded_map_) return rounded_[v];
+    const auto& [x, y, z] = corners_[v];
+    const auto along = [&](std::size_t k) {
+      const double* const row = rounded_map_->data() + 4 * k;
+      return row[0] * x + row[1] * y + row[2] * z + row[3];
+    };
+    return {along(0), along(1), along(2)};
+  }
+  /// Returns an upper bound of the error of images that are multiplied out in doubles; else 0.
   double error() const { return error_; }
-  /// Returns the largest absolute value of a rounded coordinate.
+  /// Returns an upper bound of the absolute values of rounded coordinates.
   double largest() const { return largest_; }
   /// Returns the factor by which the points were multiplied and rounded last; nothing before.
   const std::optional<Exact_number>& factor() const { return factor_; }
+  /// Returns the matrix that rounded points are multiplied out with, if they are: the map times the factor.
+  const std::optional<Rounded_map>& rounded_map() const { return rounded_map_; }
 
   /// Rounds all points, multiplied by a factor, unless that was done last.
   void round(const Exact_number& by)
   {
     if (factor_ && *factor_ == by) return;
     factor_ = by;
-    rounded_.resize(size_);
     largest_ = error_ = 0;
-    if (!map_ || !round_images())
-      for (std::size_t v = 0; v < size_; ++v)
-        for (std::size_t k = 0; k < 3; ++k) rounded_[v][k] = Exact_number(exact(v)[k] * by).to_double();
-    for (const Rounded_vector& x : rounded_)
-      largest_ = maximum(largest_, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]));
+    if (map_ && round_map()) return;
+    rounded_.resize(size_);
+    for (std::size_t v = 0; v < size_; ++v)
+      for (std::size_t k = 0; k < 3; ++k) {
+        rounded_[v][k] = Exact_number(exact(v)[k] * by).to_double();
+        largest_ = maximum(largest_, std::abs(rounded_[v][k]));
+      }
   }
 
  private:
-  /// Multiplies out in doubles. False where terms overflow, as large entries by small coordinates may.
-  bool round_images()
+  /// Rounds the map. False where terms may overflow, as large entries by small coordinates do.
+  bool round_map()
   {
-    std::array<double, 12> m;
+    Rounded_map m;
     for (std::size_t k = 0; k < 12; ++k) m[k] = Exact_number((*map_)[k] * *factor_).to_double();
-    double most = 0, farthest = 1;
-    for (std::size_t v = 0; v < size_; ++v) {
-      const auto& [x, y, z] = corners_[v];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double *const row = &m[4 * k], a = row[0] * x, b = row[1] * y, c = row[2] * z;
-        rounded_[v][k] = a + b + c + row[3];
-        most = maximum(most, std::abs(a) + std::abs(b) + std::abs(c) + std::abs(row[3]));
-      }
-      farthest = maximum(farthest, std::abs(x), std::abs(y), std::abs(z));
-    }
-    if (!(most < HUGE_VAL)) return false;
-    error_ = image_rounding * most + image_underflow * farthest;
+    double most = 0;
+    for (std::size_t k = 0; k < 12; k += 4)
+      most = maximum(most, std::abs(m[k]) * reach_[0] + std::abs(m[k + 1]) * reach_[1] +
+                               std::abs(m[k + 2]) * reach_[2] + std::abs(m[k + 3]));
+    rounded_map_.reset();
+    if (!(most < 0x1p1000)) return false;
+    rounded_map_ = m;
+    largest_ = most * (1 + 0x1p-40);
+    error_ = image_rounding * largest_ + image_underflow * maximum(1.0, reach_[0], reach_[1], reach_[2]);
     return true;
   }
 
   std::size_t size_ = 0;
   std::span<const Rounded_vector> corners_;
+  Rounded_vector reach_{};
   std::optional<std::array<Exact_number, 12>> map_;
   mutable std::vector<std::uint32_t> place_;  // of each image in `made_`, from 1; 0 where it is not made
   mutable std::deque<Exact_vector> made_;
-  std::vector<Rounded_vector> rounded_;
-  std::optional<Exact_number> factor_;  // the points were multiplied by it and rounded
+  std::optional<Rounded_map> rounded_map_;
+  std::vector<Rounded_vector> rounded_;  // without such a map
+  std::optional<Exact_number> factor_;   // the points were multiplied by it and rounded
   double error_ = 0, largest_ = 0;
 };
 
@@ -194,10 +209,12 @@ inline std::optional<Rounded_vector> direction_between(std::span<const Hull_pair
   return std::nullopt;
 }
 
-/// Returns a multiple of the direction, which is not 0, rounded to integers. The largest has the magnitude 2^bits.
+/// Returns a multiple of the direction, rounded to integers. The largest has the magnitude 2^bits. Returns 0 for a
+/// direction that is 0, infinite or undefined.
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
 {
   const double largest = maximum(std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]));
+  if (!(largest > 0 && largest < HUGE_VAL)) return {0, 0, 0};
   Exact_vector whole;
   for (int k = 0; k < 3; ++k) whole[k] = Exact_number(std::rint(std::ldexp(direction[k] / largest, bits)));
   return whole;
@@ -205,7 +222,7 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits)
 
 /// Returns a vector near a multiple of the direction, whose product with `recession` is not positive. Nor is the
 /// vector's, exactly. Integers of these bits are its components along two directions across the recession, and against
-/// it.
+/// it. Returns 0 where the direction has no such components: along the recession alone.
 inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, Exact_vector recession)
 {
   // Powers of 2 make the axes about as long as 1.
@@ -233,17 +250,6 @@ inline Exact_vector rounded_to_bits(const Rounded_vector& direction, int bits, E
   return sum;
 }
 
-/// Returns the least (sign < 0) or largest product of m with the corners, exactly. It leaves out the recession.
-inline Exact_number extent(const Hull& hull, const Exact_vector& m, int sign)
-{
-  std::optional<Exact_number> best;
-  for (const std::uint32_t v : hull.corners) {
-    Exact_number at = dot(m, hull.points->exact(v));
-    if (!best || (sign < 0 ? at < *best : at > *best)) best = std::move(at);
-  }
-  return *best;
-}
-
 /// A requirement for two hulls: they are apart by more than the root of top / bottom, or by just that if `or_equal`.
 ///
 /// With `sweep`, A has been moved by the centre of a box of translations. The rule then asks that the hulls are apart
@@ -258,11 +264,10 @@ struct Gap_rule {
   double rounded = 0;  ///< near the distance that is asked for, in rounded units
   std::optional<Sweep> sweep = {};
 
-  /// True when m proves that the hulls keep the rule: B is beyond A along m by the required distance, or for all
-  /// translations of the box.
-  bool operator()(const Hull& a, const Hull& b, const Exact_vector& m) const
+  /// True when a direction m proves that hulls keep the rule: B is beyond A along m by the required distance, or for all
+  /// translations of the box. `gap` is the least m . b - m . a of their points.
+  bool is_kept(Exact_number gap, const Exact_vector& m) const
   {
-    Exact_number gap = extent(b, m, -1) - extent(a, m, 1);
     if (sweep) {
       Exact_number left = gap;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -273,6 +278,7 @@ struct Gap_rule {
       gap = gap + dot(m, sweep->centre);
     }
     if (gap.sign() != CGAL::POSITIVE) return false;
+    if (top.is_zero()) return true;
     const Exact_number square = gap * gap * bottom, least = top * dot(m, m);
     return or_equal ? square >= least : square > least;
   }

@@ -111,7 +111,7 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
     const Placed_pair last = first.at(shifted(exit[1]));
     const kernel::Exact_vector across = tetratree::exact(tetratree::in_lowest_terms(along), 1);
     const kernel::Exact_number between =
-        kernel::extent(last.body[1].hull({}), across, 1) - kernel::extent(last.body[0].hull({}), across, -1);
+        tetratree::extent_of(last.body[1].hull({}), across, 1) - tetratree::extent_of(last.body[0].hull({}), across, -1);
     Rational until = Rational(between) / Rational(last.weight) / kernel::dot(tetratree::in_lowest_terms(along), along);
     if (until <= 0) until = 1;
     add_key(text, "gone");

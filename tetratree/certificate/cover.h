@@ -1,8 +1,7 @@
 #ifndef TETRACONE_TETRATREE_CERTIFICATE_COVER_H
 #define TETRACONE_TETRATREE_CERTIFICATE_COVER_H
 
-#include "tetracone/kernel/predicate/hull_separation.h"
-#include "tetracone/tetratree/certificate/group_tree.h"
+#include "tetracone/tetratree/certificate/group_hull.h"
 
 #include <algorithm>
 #include <array>
@@ -16,92 +15,6 @@
 #include <vector>
 
 namespace tetracone::tetratree {
-
-/// Calls each(v) for the corners v that may be the first (sign < 0) or the last (sign > 0) along m. All others are
-/// behind one of them by more than all rounding errors. Requires rounded points.
-template <class Each>
-void for_last(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign, const Each& each)
-{
-  constexpr double least = 0x1p-100,  // the least size of m at which underflow is below the slack
-      least_point = 0x1p-900;         // the least coordinate at which it is
-  // Upper bound of the error of two scalar products, relative to their terms. Numbers have an error of 2 of 2^-53 each,
-  // and products and sums 3: 14 of 32, counted by hand (verify/proofs/other_constants.h).
-  constexpr double rounding = 0x1p-48;
-  const kernel::Rounded_vector way = {sign * m[0].to_double(), sign * m[1].to_double(), sign * m[2].to_double()};
-  const kernel::Hull_points& points = *hull.points;
-  double last = -HUGE_VAL;
-  for (const std::uint32_t v : hull.corners) last = kernel::maximum(last, kernel::dot(way, points.rounded(v)));
-  const double size = std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]);
-  const double off = (rounding * points.largest() + 4 * points.error()) * size;
-  const double behind = size >= least && points.largest() >= least_point ? last - off : -HUGE_VAL;
-  for (const std::uint32_t v : hull.corners)
-    if (!(kernel::dot(way, points.rounded(v)) < behind)) each(v);
-}
-
-/// A hull of those corners of another hull that may be the first or the last along a direction.
-class Last_corners {
- public:
-  /// The corners that `for_last` names.
-  Last_corners(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign)
-  {
-    for_last(hull, m, sign, [&](std::uint32_t v) { corners_.push_back(v); });
-    hull_ = {hull.points, corners_};
-  }
-  Last_corners(const Last_corners&) = delete;
-  Last_corners& operator=(const Last_corners&) = delete;
-
-  const kernel::Hull& hull() const { return hull_; }
-
- private:
-  std::vector<std::uint32_t> corners_;
-  kernel::Hull hull_{};
-};
-
-/// Returns what kernel::extent returns, but multiplies few corners exactly. Requires rounded points.
-inline kernel::Exact_number extent_of(const kernel::Hull& hull, const kernel::Exact_vector& m, int sign)
-{
-  return kernel::extent(Last_corners(hull, m, sign).hull(), m, sign);
-}
-
-/// Returns a direction as kernel::direction_between does, for hulls of many corners. It searches with a few corners,
-/// and adds those that the direction found does not separate. Returns nothing also where that takes too many rounds.
-inline std::optional<kernel::Rounded_vector> direction_by_few(std::span<const kernel::Hull_pair> pairs, double distance)
-{
-  using kernel::Hull;
-  using kernel::Rounded_vector;
-  constexpr std::size_t few = 8;   // corners of a hull in the first search, about
-  constexpr int most_rounds = 12;  // searches
-  const auto along = [](const Rounded_vector& z, const Hull& hull, std::uint32_t v) {
-    return kernel::dot(z, hull.points->rounded(v));
-  };
-  const auto last = [&](const Hull& hull, const Rounded_vector& z, double sign) {
-    return *std::ranges::max_element(hull.corners, {}, [&](std::uint32_t v) { return sign * along(z, hull, v); });
-  };
-  std::vector<std::array<std::vector<std::uint32_t>, 2>> some(pairs.size());
-  for (std::size_t p = 0; p < pairs.size(); ++p)
-    for (int k = 0; k < 2; ++k) {
-      const auto& corners = k == 0 ? pairs[p].a.corners : pairs[p].b.corners;
-      const std::size_t step = kernel::maximum(corners.size() / few, std::size_t(1));
-      for (std::size_t c = 0; c < corners.size(); c += step) some[p][std::size_t(k)].push_back(corners[c]);
-    }
-  for (int round = 0; round < most_rounds; ++round) {
-    std::vector<kernel::Hull_pair> of_some;
-    for (std::size_t p = 0; p < pairs.size(); ++p)
-      of_some.push_back({{pairs[p].a.points, some[p][0], pairs[p].a.recession}, {pairs[p].b.points, some[p][1]}});
-    const auto z = kernel::direction_between(of_some, distance);
-    if (!z) return std::nullopt;
-    bool is_between = true;
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      const std::uint32_t a = last(pairs[p].a, *z, 1), b = last(pairs[p].b, *z, -1);
-      if (along(*z, pairs[p].b, b) - along(*z, pairs[p].a, a) > distance * std::sqrt(kernel::dot(*z, *z))) continue;
-      is_between = false;
-      some[p][0].push_back(a);
-      some[p][1].push_back(b);
-    }
-    if (is_between) return z;
-  }
-  return std::nullopt;
-}
 
 /// A cover as certificates hold it. `nodes` is its NODE as JSON: it opens groups, and names one of `directions` for
 /// each pair of groups that stays closed. experiments/certificates/README.md says what it proves.
@@ -130,7 +43,7 @@ class Cover_search {
   /// bits are tried first. The arguments `pairs` and `distance` are those of `direction_by_few`. With `recession`, the
   /// exact recession of all A, the product of m with it is not positive.
   template <class Holds>
-  bool separates(std::span<const kernel::Hull_pair> pairs, double distance,
+  bool separates(std::span<const Hull_pair> pairs, double distance,
                  const std::optional<kernel::Exact_vector>& recession, const Holds& holds)
   {
     const auto found = direction_by_few(pairs, distance);
@@ -166,13 +79,20 @@ struct Covered_body {
   kernel::Hull_points points;
 
   /// Returns the hull of a group. It is valid as long as this.
-  kernel::Hull hull(Box_id box) const { return {&points, groups->group(box).corners}; }
+  Group_hull hull(Box_id box) const { return {points, *groups, box}; }
+
+  /// True for a piece that is a face of a plane without triangles.
+  bool is_uncut(Box_id piece) const
+  {
+    const Element& element = groups->piece_of(piece);
+    return element.is_whole_face() && groups->tree().model().covering().plane_basis(element.face).has_value();
+  }
 
   /// Returns the face of a piece: a triangle, a face on a line, or a face that was not triangulated, with its loops.
   kernel::Exact_face face(Box_id piece)
   {
     const Element& element = groups->piece_of(piece);
-    if (!element.is_whole_face()) return kernel::exact_face(hull(piece), true);
+    if (!element.is_whole_face()) return kernel::exact_face({&points, groups->group(piece).corners}, true);
     const auto& covering = groups->tree().model().covering();
     kernel::Exact_face face;
     const auto from = covering.from(element.face), to = covering.to(element.face);
@@ -234,25 +154,26 @@ class Pair_cover {
   const std::optional<Common_point>& common() const { return common_; }
 
  private:
-  bool keeps_rule(const kernel::Hull& a, const kernel::Hull& b, const kernel::Exact_vector& m) const
+  bool keeps_rule(const Group_hull& a, const Group_hull& b, const kernel::Exact_vector& m) const
   {
-    return rule_(Last_corners(a, m, 1).hull(), Last_corners(b, m, -1).hull(), m);
+    return rule_.is_kept(extent_of(b, m, -1) - extent_of(a, m, 1), m);
   }
 
   bool covers(Box_id a, Box_id b)
   {
-    const kernel::Hull of_a = body_[0]->hull(a), of_b = body_[1]->hull(b);
+    const Group_hull of_a = body_[0]->hull(a), of_b = body_[1]->hull(b);
     if (has_preferred_ && keeps_rule(of_a, of_b, search_.cover().directions[0])) {
       search_.append(std::size_t(0));
       return true;
     }
-    const kernel::Hull_pair pair{of_a, of_b};
+    const Hull_pair pair{of_a, of_b};
     if (search_.separates(std::span(&pair, 1), rule_.rounded, {},
                           [&](const kernel::Exact_vector& m) { return keeps_rule(of_a, of_b, m); }))
       return true;
     const bool is_piece[2] = {body_[0]->groups->is_piece(a), body_[1]->groups->is_piece(b)};
     if (is_piece[0] && is_piece[1]) return pieces(a, b);
-    const int opened = is_piece[0] || (!is_piece[1] && of_a.corners.size() < of_b.corners.size()) ? 1 : 0;
+    const int opened =
+        is_piece[0] || (!is_piece[1] && body_[0]->groups->piece_count(a) < body_[1]->groups->piece_count(b)) ? 1 : 0;
     search_.append(opened == 0 ? "[\"a\"" : "[\"b\"");
     for (const Box_id member : search_.open(*body_[opened]->groups, opened == 0 ? a : b)) {
       search_.append(",");
@@ -277,11 +198,7 @@ class Pair_cover {
       return false;
     }
     if (is_apart(found.direction)) return true;
-    for (int k = 0; k < 2; ++k) {
-      const Element& element = body_[k]->groups->piece_of(k == 0 ? a : b);
-      if (element.is_whole_face() && body_[k]->groups->tree().model().covering().plane_basis(element.face))
-        throw No_proof{};
-    }
+    if (body_[0]->is_uncut(a) || body_[1]->is_uncut(b)) throw No_proof{};
     return false;
   }
 
@@ -334,6 +251,9 @@ class Probe_cover {
   Cover& cover() { return search_.cover(); }
   Cover_search& search() { return search_; }
 
+  /// True when the call above stopped at a face without triangles, whose hull is not separated though it is.
+  bool lacks_triangles() const { return lacks_triangles_; }
+
   /// Returns the probe as a face: a segment there and back. That of a ray ends beyond the body.
   const kernel::Exact_face& face() const { return face_; }
 
@@ -354,18 +274,18 @@ class Probe_cover {
     face_.edges = {{probe_.start, end}, {end, probe_.start}};
   }
 
-  bool holds(const kernel::Hull& group, const Exact_vector& m) const
+  bool holds(const Group_hull& group, const Exact_vector& m) const
   {
-    return rule_(hull(), Last_corners(group, m, -1).hull(), m);
+    return rule_.is_kept(extent_of(group, m, -1) - extent_of(hull(), m, 1), m);
   }
 
-  kernel::Hull hull() const { return {&points_, corners_, recession_ ? &*recession_ : nullptr}; }
+  Group_hull hull() const { return {points_, corners_, recession_ ? &*recession_ : nullptr}; }
 
   template <class Meets>
   bool covers(Box_id box, const Meets& meets)
   {
-    const kernel::Hull group = body_->hull(box);
-    const kernel::Hull_pair pair{hull(), group};
+    const Group_hull group = body_->hull(box);
+    const Hull_pair pair{hull(), group};
     if (search_.separates(std::span(&pair, 1), rule_.rounded, probe_.direction,
                           [&](const Exact_vector& m) { return holds(group, m); }))
       return true;
@@ -380,11 +300,14 @@ class Probe_cover {
     }
     const kernel::Exact_face face = body_->face(box);
     const kernel::Exact_distance found = kernel::distance_of_faces(face_, face);
-    if (!found.is_zero() && holds(group, found.direction)) {
+    const bool is_apart = !found.is_zero();
+    if (is_apart && holds(group, found.direction)) {
       search_.append(search_.add(found.direction));
       return true;
     }
-    return meets(box, face, !found.is_zero()) == Met::is_covered;
+    if (meets(box, face, is_apart) == Met::is_covered) return true;
+    lacks_triangles_ = lacks_triangles_ || (is_apart && body_->is_uncut(box));
+    return false;
   }
 
   Covered_body* body_;
@@ -395,6 +318,7 @@ class Probe_cover {
   std::optional<kernel::Rounded_vector> recession_;
   kernel::Exact_face face_;
   Cover_search search_;
+  bool lacks_triangles_ = false;
 };
 
 }  // namespace tetracone::tetratree

@@ -4,6 +4,8 @@
 #include "tetracone/tetratree/fast/bvh8.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -25,6 +27,8 @@ class Group_tree {
   Group_tree(const Bvh8& tree, std::span<const Index> source_face) : tree_(&tree), source_face_(source_face)
   {
     tree.make_all();
+    for (const covering::Vertex& v : tree.model().vertices())
+      for (std::size_t k = 0; k < 3; ++k) reach_[k] = kernel::maximum(reach_[k], std::abs(v[k]));
     // Faces ascend as their source faces do, so their numbers decide. Each face's few elements are sorted apart.
     std::vector<Index> first(tree.model().face_count() + 1, 0);
     for (std::size_t e = 0; e < tree.element_count(); ++e) ++first[element(Index(e)).face + 1];
@@ -40,8 +44,16 @@ class Group_tree {
   }
 
   const Bvh8& tree() const { return *tree_; }
+  /// Returns the largest absolute value of each coordinate of the vertices.
+  const std::array<double, 3>& reach() const { return reach_; }
 
   std::size_t piece_count() const { return order_.size(); }
+  /// Returns the number of pieces of a group.
+  std::size_t piece_count(Box_id box) const
+  {
+    const auto [first, last] = elements_below(box);
+    return last - first + 1;
+  }
   /// Returns the element that is piece n.
   const Element& piece(std::size_t n) const { return element(order_[n]); }
 
@@ -136,10 +148,9 @@ class Group_tree {
 
   const Element& element(Index e) const { return tree_->elements()[e]; }
 
-  /// Calls what(e) for the number of each element below the box. They are neighbours in the order of leaves: the last
-  /// one is below the lane that begins last, at each node.
-  template <class What>
-  void for_each_element(Box_id box, const What& what) const
+  /// Returns the numbers of the first and the last element below a box. They are neighbours in the order of leaves: the
+  /// last one is below the lane that begins last, at each node.
+  std::array<Index, 2> elements_below(Box_id box) const
   {
     Box_id last = box;
     while (!is_piece(last)) {
@@ -149,10 +160,19 @@ class Group_tree {
                          node.first.begin())};
     }
     const auto first_of = [&](Box_id id) { return tree_->node_of(id).first[id.lane()]; };
-    for (Index e = first_of(box); e <= first_of(last); ++e) what(e);
+    return {first_of(box), first_of(last)};
+  }
+
+  /// Calls what(e) for the number of each element below the box.
+  template <class What>
+  void for_each_element(Box_id box, const What& what) const
+  {
+    const auto [first, last] = elements_below(box);
+    for (Index e = first; e <= last; ++e) what(e);
   }
 
   const Bvh8* tree_;
+  std::array<double, 3> reach_{};
   std::span<const Index> source_face_;
   std::vector<Index> order_, number_;  // the element of each piece, and the piece of each element
   std::map<Box_id, Group> groups_;

@@ -30,12 +30,12 @@ class Motion_cover {
   bool covers(Box_id a, Box_id b, double from, double to)
   {
     const std::vector<Placed_pair*> placed = moving_->over(from, to);
-    std::vector<kernel::Hull_pair> pairs;
+    std::vector<Hull_pair> pairs;
     pairs.reserve(placed.size());
     for (Placed_pair* pair : placed) pairs.push_back({pair->body[0].hull(a), pair->body[1].hull(b)});
     const bool may_touch = may_touch_at_end_ && to == end_;
     const auto holds = [&](const kernel::Exact_vector& m) {
-      for (const kernel::Hull_pair& pair : pairs) {
+      for (const Hull_pair& pair : pairs) {
         const CGAL::Sign gap = kernel::Exact_number(extent_of(pair.b, m, -1) - extent_of(pair.a, m, 1)).sign();
         const bool is_last = &pair == &pairs.back();
         if (gap != CGAL::POSITIVE && !(may_touch && is_last && gap == CGAL::ZERO)) return false;
@@ -57,7 +57,7 @@ class Motion_cover {
     // Groups that are apart at both ends, though not by one direction, need shorter intervals; others smaller groups.
     if (direction_by_few(std::span(pairs).first(1), 0) && direction_by_few(std::span(pairs).last(1), 0))
       return cut(a, b, from, to);
-    const int opened = is_piece[0] || (!is_piece[1] && pairs[0].a.corners.size() < pairs[0].b.corners.size()) ? 1 : 0;
+    const int opened = is_piece[0] || (!is_piece[1] && of_a->piece_count(a) < of_b->piece_count(b)) ? 1 : 0;
     search_.append(opened == 0 ? "[\"a\"" : "[\"b\"");
     for (const Box_id member : search_.open(opened == 0 ? *of_a : *of_b, opened == 0 ? a : b)) {
       search_.append(",");

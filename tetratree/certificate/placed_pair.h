@@ -58,7 +58,7 @@ inline Covered_body placed(Group_tree& groups, const kernel::Pose& pose, const k
   if (other.is_rational()) by = by * other.weight();
   std::array<kernel::Exact_number, 12> entry;
   for (int k = 0; k < 12; ++k) entry[k] = pose.whole(k) * by;
-  return {&groups, kernel::Hull_points(vertices, entry)};
+  return {&groups, kernel::Hull_points(vertices, groups.reach(), entry)};
 }
 
 /// Two placed bodies on one scale, A first. Their coordinates are relative to a point, the origin.

@@ -7,7 +7,10 @@
 #include "tetracone/tetratree/certificate/fractions.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -80,11 +83,26 @@ inline void add_rigid_pose(std::string& text, std::string_view key, const kernel
   add_given(text, key, std::array{w, x, y, z, shift[0], shift[1], shift[2]});
 }
 
+/// Returns a direction in lowest terms, as a list of texts. Directions of a few bits are most of a cover.
+inline std::string direction_text(const kernel::Exact_vector& m)
+{
+  std::array<std::int64_t, 3> whole{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double near = m[k].to_double();
+    if (!(std::abs(near) < 0x1p53) || near != std::trunc(near) || kernel::Exact_number(near) != m[k])
+      return strings_of(in_lowest_terms(rational(m)));
+    whole[k] = std::int64_t(near);
+  }
+  const std::int64_t factor = std::gcd(std::gcd(whole[0], whole[1]), whole[2]);
+  std::string text;
+  for (const std::int64_t x : whole) text += (text.empty() ? "[\"" : "\",\"") + std::to_string(x / factor);
+  return text + "\"]";
+}
+
 inline void add_cover(std::string& text, const Cover& cover)
 {
   add_key(text, "directions");
-  add_list(text, cover.directions,
-           [](const kernel::Exact_vector& m) { return strings_of(in_lowest_terms(rational(m))); });
+  add_list(text, cover.directions, direction_text);
   add_key(text, "cover");
   text += cover.nodes;
   for (const auto& [groups, box] : cover.opened) groups->open(box);

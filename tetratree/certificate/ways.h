@@ -52,7 +52,7 @@ inline std::pair<kernel::Rational_point, double> middle_of(const Placed_pair& pa
 }
 
 /// True when m is a direction along which hull a ends where hull b begins, or before.
-inline bool leads_between(const kernel::Exact_vector& m, const kernel::Hull& a, const kernel::Hull& b)
+inline bool leads_between(const kernel::Exact_vector& m, const Group_hull& a, const Group_hull& b)
 {
   return m != kernel::Exact_vector{0, 0, 0} && !(extent_of(a, m, 1) > extent_of(b, m, -1));
 }

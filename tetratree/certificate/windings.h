@@ -13,18 +13,23 @@ namespace tetracone::tetratree {
 
 /// Returns the winding number of a body about a point, by a ray that meets no edge. Appends the ray, the number and the
 /// cover. Returns nothing, without a change of the text, where all rays that are tried meet edges, as from a point of
-/// the surface.
+/// the surface. Throws No_proof where the rays are stopped by a face that has no triangles.
 inline std::optional<int> add_winding(std::string& text, Covered_body& body, const kernel::Exact_vector& x,
                                       Random_integers& random)
 {
   // The first ray leads away from the body's middle, which few faces of it meet if the point is outside.
   kernel::Hull_points point{x};
   kernel::round_together(point, body.points);
-  const auto& corners = body.groups->group({}).corners;
+  kernel::Rounded_vector sum{};
+  double count = 0;
+  body.hull({}).for_few([&](std::uint32_t v) {
+    sum = kernel::sum(sum, body.points.rounded(v));
+    ++count;
+  });
   kernel::Rounded_vector way = point.rounded(0);
-  for (const std::uint32_t v : corners)
-    for (int c = 0; c < 3; ++c) way[c] -= body.points.rounded(v)[c] / double(corners.size());
+  for (std::size_t c = 0; c < 3; ++c) way[c] -= sum[c] / count;
   constexpr int most_rays = 60;
+  bool lacks_triangles = false;
   for (int k = 0; k < most_rays; ++k) {
     // Few bits first, since short numbers are cheap to check.
     const int bits = 6 + k / 4;
@@ -43,6 +48,7 @@ inline std::optional<int> add_winding(std::string& text, Covered_body& body, con
       cover.search().append("\"crossed\"");
       return Probe_cover::Met::is_covered;
     });
+    lacks_triangles = lacks_triangles || cover.lacks_triangles();
     if (!is_generic) continue;
     add_key(text, "ray");
     text += strings_of(in_lowest_terms(rational(direction)));
@@ -51,6 +57,7 @@ inline std::optional<int> add_winding(std::string& text, Covered_body& body, con
     add_cover(text, cover.cover());
     return winding;
   }
+  if (lacks_triangles) throw No_proof{};
   return std::nullopt;
 }
 

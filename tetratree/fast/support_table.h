@@ -159,6 +159,26 @@ class Support_table {
 
   std::size_t bytes() const { return reach_.capacity() * sizeof(float); }
 
+  /// Computes the reach of a node's boxes, four at once. The entries of `d` are floats.
+  static void find_reach(const kernel::Obb8& boxes, const std::array<float, 3>& d,
+                         std::array<float, kernel::lanes>& reach)
+  {
+    using Lanes = kernel::Four_floats;
+    using Row = std::array<Lanes, 3>;
+    const auto all = [](const auto& v) { return Row{Lanes{} + v[0], Lanes{} + v[1], Lanes{} + v[2]}; };
+    const Row direction = all(d), origin = all(boxes.origin);
+    for (std::size_t first = 0; first < kernel::lanes; first += 4) {
+      const auto load = [first](const auto& lanes) {
+        return Row{kernel::four_from(lanes[0] + first), kernel::four_from(lanes[1] + first),
+                   kernel::four_from(lanes[2] + first)};
+      };
+      const Lanes four =
+          reach_of_box(direction, origin, load(boxes.centre),
+                       std::array{load(boxes.axis[0]), load(boxes.axis[1]), load(boxes.axis[2])}, load(boxes.extent));
+      std::memcpy(&reach[first], &four, sizeof four);
+    }
+  }
+
  private:
   static constexpr float unknown = std::numeric_limits<float>::infinity();
   static constexpr Index none = std::numeric_limits<Index>::max();
@@ -226,26 +246,6 @@ class Support_table {
       if (open.empty()) break;
     }
     return std::nextafter(float(best + reach_rounding), unknown);
-  }
-
-  /// Computes the reach of a node's boxes, four at once. The entries of `d` are floats.
-  static void find_reach(const kernel::Obb8& boxes, const std::array<float, 3>& d,
-                         std::array<float, kernel::lanes>& reach)
-  {
-    using Lanes = kernel::Four_floats;
-    using Row = std::array<Lanes, 3>;
-    const auto all = [](const auto& v) { return Row{Lanes{} + v[0], Lanes{} + v[1], Lanes{} + v[2]}; };
-    const Row direction = all(d), origin = all(boxes.origin);
-    for (std::size_t first = 0; first < kernel::lanes; first += 4) {
-      const auto load = [first](const auto& lanes) {
-        return Row{kernel::four_from(lanes[0] + first), kernel::four_from(lanes[1] + first),
-                   kernel::four_from(lanes[2] + first)};
-      };
-      const Lanes four =
-          reach_of_box(direction, origin, load(boxes.centre),
-                       std::array{load(boxes.axis[0]), load(boxes.axis[1]), load(boxes.axis[2])}, load(boxes.extent));
-      std::memcpy(&reach[first], &four, sizeof four);
-    }
   }
 
   const Bvh8* tree_;

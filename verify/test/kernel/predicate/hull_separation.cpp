@@ -44,7 +44,10 @@ BOOST_AUTO_TEST_CASE(images_of_points_are_no_farther_from_their_doubles_than_the
     for (Exact_number& entry : map) entry = Exact_number(size * random.symmetric()) * Exact_number(again);
     map[5] = Exact_number(-2) * map[4];  // what cancels
     for (const std::size_t k : {3, 7, 11}) map[k] = map[k] * Exact_number(corner);
-    Hull_points images(corners, map), origin{{0, 0, 0}};
+    Rounded_vector reach{};
+    for (const Rounded_vector& x : corners)
+      for (std::size_t k = 0; k < 3; ++k) reach[k] = maximum(reach[k], std::abs(x[k]));
+    Hull_points images(corners, reach, map), origin{{0, 0, 0}};
     const Exact_number factor = round_together(images, origin);
     BOOST_TEST(images.largest() >= 0x1p-200);
     BOOST_TEST(images.largest() <= 0x1p200);
@@ -60,6 +63,24 @@ BOOST_AUTO_TEST_CASE(images_of_points_are_no_farther_from_their_doubles_than_the
         BOOST_TEST((abs(off) <= Exact_number(maximum(images.error(), rounded_once))));
       }
   }
+}
+
+BOOST_AUTO_TEST_CASE(directions_of_few_bits_do_not_go_along_a_recession)
+{
+  tetracone::verify::Random random(6);
+  const Exact_vector none = {0, 0, 0};
+  for (const double bad : {0.0, double(HUGE_VAL), double(NAN)})
+    BOOST_TEST((rounded_to_bits(Rounded_vector{0, bad, 0}, 6) == none));
+  for (int n = 0; n < 200; ++n) {
+    const Exact_vector recession = {Exact_number(random.symmetric()), Exact_number(random.symmetric()),
+                                    Exact_number(n % 3 == 0 ? 0 : random.symmetric())};
+    Rounded_vector direction = {random.symmetric(), random.symmetric(), random.symmetric()};
+    for (const int bits : {6, 14, 26, 52})
+      BOOST_TEST((dot(rounded_to_bits(direction, bits, recession), recession).sign() != CGAL::POSITIVE));
+  }
+  // Along the recession alone, nothing is left.
+  BOOST_TEST((rounded_to_bits(Rounded_vector{4, -2, -1}, 6, Exact_vector{4, -2, -1}) == none));
+  BOOST_TEST((rounded_to_bits(Rounded_vector{NAN, 0, 0}, 6, Exact_vector{4, -2, -1}) == none));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

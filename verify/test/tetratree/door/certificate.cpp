@@ -210,6 +210,25 @@ BOOST_AUTO_TEST_CASE(answers_near_a_face_whose_loop_crosses_itself_are_left_out)
   BOOST_TEST(!body.first_hit(through));
   BOOST_TEST(!certificate.first_hit(through, std::nullopt));
   BOOST_TEST(certificate.without_proof() == 1);
+  const std::array<std::string, 3> in_its_plane = {"1", "1/5", "0"};
+  BOOST_TEST((body.inside_text(in_its_plane) == Location::outside));
+  BOOST_TEST(!certificate.inside(in_its_plane, Location::outside));
+  BOOST_TEST(certificate.without_proof() == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_miss_of_a_ray_from_far_away_is_proved)
+{
+  covering::Polyhedron needle;
+  needle.vertices = {
+      {-43721, 196064, 123089}, {15291, 72054, 37215}, {-50695, 220642, 138901}, {-967789, 473671, 1036222}};
+  for (const auto& face : {std::vector<Index>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) needle.add_polygon(face);
+  const Body body(needle);
+  // The doubles of a search across this ray are nothing but errors along it.
+  const tetracone::Ray ray{{-0x1p72, 0x1p71, 0x1p70}, {0x1p20, -0x1p19, -0x1p18}};
+  Certificate certificate(body);
+  BOOST_TEST(!body.first_hit(ray));
+  BOOST_TEST(certificate.first_hit(ray, std::nullopt));
+  BOOST_TEST(is_proved(certificate));
 }
 
 BOOST_AUTO_TEST_CASE(exits_and_depths_are_proved)
