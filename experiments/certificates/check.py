@@ -9,7 +9,8 @@ row of the file; KEY is pose_a, pose_b, from_a, to_a, from_b, to_b, point, ray, 
 with the answer's row.
 Status 0: all are proved. 1: one is refused. 2: bad input.
 
-A function prove_X states in its text what it proves, and raises Refused where the proof does not show that. `covers.py` proves what answers
+A function prove_KIND proves an answer of that kind, by the row of README.md with its name. The other prove_X say in their text what they
+prove. All raise Refused where the proof does not show that. `covers.py` proves what answers
 of all kinds are made of, `depths.py` a lower bound of a depth."""
 import argparse
 import json

@@ -39,9 +39,9 @@ struct Convex_solid {
 /// largest n . b less the least n . a, over |n|. The plane of any other n is no nearer than the nearest facet, so more
 /// directions do not change the least.
 ///
-/// - Arcs: a product of edges that is a facet's normal, and no face's, lies for each edge between the normals of its
-///   two faces. The plane across the other solid's edge then strictly separates these normals. Other products are left
-///   out. Fractions tell the side where doubles cannot, since parallel faces would leave a product for each two edges.
+/// - Arcs: an edge is an arc of the Gauss map, between the normals of its two faces. The product of two edges is a
+///   facet's normal, and no face's, only where their arcs cross: each edge strictly separates the other's normals.
+///   Fractions tell the side where doubles cannot, since parallel faces would leave a product for each two edges.
 /// - Order: directions come in the order of a lower bound of their plane's distance from 0. They end where it exceeds
 ///   the least. For a product n of edges, n . (b - a) / |n| is such a bound, for points of the edges.
 ///
@@ -137,7 +137,8 @@ class Convex_depth {
   Interval distance(double height, const Number_point<double>& n) const
   {
     if (!is_bounded_) return Interval::largest();
-    const double off = 2 * errors_.off_normal(), off_height = 2 * errors_.off_height();  // the root of 3 is below 2
+    // A length is off by at most the root of 3 times a component's error, and a difference by two heights' errors.
+    const double off = 2 * errors_.off_normal(), off_height = 2 * errors_.off_height();
     const Interval x = n[0], y = n[1], z = n[2], square = x * x + y * y + z * z,
                    length = CGAL::sqrt(square) + Interval(-off, off);
     if (!(length.inf() > 0)) return Interval::largest();
@@ -155,7 +156,7 @@ class Convex_depth {
 
   void add(std::vector<Candidate>& all, const Candidate& c, const Interval& distance)
   {
-    if (distance.sup() < 0) return;  // a facet's plane is beyond 0, which is inside
+    if (distance.sup() < 0) return;  // 0 is inside, so no facet's plane is behind it
     all.push_back(c);
     all.back().rank = all.size();
     all.back().least = maximum(distance.inf(), 0.0);

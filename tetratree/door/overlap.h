@@ -12,13 +12,14 @@ struct Overlap_data;
 }
 
 /// How much two placed solids overlap and touch, in the units of the placed coordinates. Each double is the one nearest
-/// to its fraction. A fraction is "n/d" or "n", in lowest terms. It is reduced and written when it is asked for, since
-/// it may have many thousands of digits.
+/// to its fraction, and infinite where that is beyond the doubles. A fraction is "n/d" or "n", in lowest terms. It is
+/// reduced and written when it is asked for, since it may have many thousands of digits.
 class Overlap {
  public:
   double volume = 0;                 ///< of the intersection of the interiors
   std::array<double, 3> centroid{};  ///< of that intersection; 0 where the volume is 0
-  /// The sum of area times A's outward unit normal over the faces' common area that has A on one side only.
+  /// The integral of A's outward unit normal over the area that both surfaces share, without area that has A on both
+  /// sides.
   std::array<double, 3> contact_vector{};
   /// Doubles that enclose the area that faces of both surfaces share: equal, or neighbours.
   std::array<double, 2> contact_area{};
@@ -38,7 +39,7 @@ struct Overlap_bounds {
 };
 
 /// How far a solid must be moved along a direction to leave another one, in lengths of the direction. Fractions are
-/// "n/d" or "n", in lowest terms; each double is the one nearest to its fraction.
+/// "n/d" or "n", in lowest terms; each double is the one nearest to its fraction, infinite beyond the doubles.
 ///
 /// The solids may touch: interiors alone count. Both exits are 0 where the interiors share no point at the start.
 struct Exits {

@@ -16,8 +16,8 @@
 
 namespace tetracone::tetratree {
 
-/// Returns the triangles of each plane of a simple solid, of those that share edges. The groups are in the order of
-/// their first triangles.
+/// Groups the triangles of a simple solid: two are in one group where a chain of coplanar neighbours joins them. The
+/// groups are in the order of their first triangles.
 inline std::vector<std::vector<Index>> triangles_of_planes(const covering::Polyhedron& polyhedron,
                                                            const Solid_sides& sides)
 {
@@ -28,10 +28,10 @@ inline std::vector<std::vector<Index>> triangles_of_planes(const covering::Polyh
   return covering::grouped_faces(polyhedron.face_count(), planes, std::identity());
 }
 
-/// True when the solid is convex, and no face lies inside it. Then each triangle parts the solid from its outside, and
-/// no two corners are on different sides of a plane. Bodies with more pairs of a plane and a corner than `most_pairs`
-/// are not looked at: false.
-inline bool is_convex(const covering::Polyhedron& polyhedron, const Solid_sides& sides)
+/// True only if the solid is convex, and no face lies inside it. Then each triangle parts the solid from its outside,
+/// and no two corners are on different sides of a plane. False also where there are more pairs of a plane and a corner
+/// than `most_pairs`.
+inline bool is_known_convex(const covering::Polyhedron& polyhedron, const Solid_sides& sides)
 {
   constexpr std::size_t most_pairs = 20'000'000;
   using K = kernel::Adaptive;

@@ -79,8 +79,9 @@ class Crossing_overlap {
  public:
   using N = typename Placing::Number;
 
-  /// Sums up the overlap. It asks `is_vertex_inside` in here alone, and only for vertices off the other surface.
-  /// Requires `is_general`, maybe after a move, and upward rounding for intervals. Throws
+  /// Sums up the overlap. Calls `is_vertex_inside` in the constructor only, for vertices off the other surface.
+  /// Requires contacts as `is_general` wants them, or as `Perturbed_contacts` has them. Requires upward rounding for
+  /// intervals. Throws
   /// CGAL::Uncertain_conversion_exception where intervals do not decide a sign.
   Crossing_overlap(const Placed_solid& a, const Placed_solid& b, const Found_contacts& found,
                    const Is_vertex_inside& is_vertex_inside, const Is_on_other& is_on_other = {})

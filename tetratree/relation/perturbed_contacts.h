@@ -20,10 +20,10 @@ namespace tetracone::tetratree {
 
 /// The contacts of two simple solids after A has been moved by (e, e^2, e^3), e > 0 and infinitesimal.
 ///
-/// They are in general position: no corner is in the plane of a face that it meets, and all contacts are segments. The
-/// overlap's volume and moment are continuous in a translation, so those of the solids themselves are the limits.
-/// These are sums over the points where edges cross faces. Such an edge is not parallel to the face's plane, since a
-/// move does not change that. So the point has a limit, which is on the edge and on the face.
+/// They are in general position: no corner of one is in the plane of a face of the other that it touched, and all
+/// contacts are segments. The overlap's volume and moment are continuous in a translation, so those of the solids
+/// themselves are the limits. These are sums over the points where edges cross faces. Such an edge is not parallel to
+/// the face's plane, and a translation keeps that. So the point has a limit, on the edge and on the face.
 ///
 /// - Only faces that share a point now can share one then.
 /// - A side that is not 0 remains. Else it has the sign of the first of its derivatives that is not 0. These are the
@@ -43,8 +43,8 @@ class Perturbed_contacts {
     for (int body = 0; body < 2; ++body) is_on_other_[body].assign(solid_[body]->sides().place_count(), false);
     for (const Found_piece& piece : found.pieces) {
       note_vertices(piece);
-      Found_piece perturbed = piece;
-      if (!is_crossing_segment(piece.by_signs)) perturbed.by_signs = contact(piece);  // the others remain
+      Found_piece perturbed = piece;  // a crossing segment stays as it is
+      if (!is_crossing_segment(piece.by_signs)) perturbed.by_signs = contact(piece);
       if (perturbed.by_signs.count != 0) contacts.pieces.push_back(perturbed);
     }
   }

@@ -299,7 +299,7 @@ class Bvh8_relation_solver : public Relation_solver {
     if (!are_convex_) {
       are_convex_ = std::ranges::all_of(body_, [](const Shared_body& body) {
         const Body_data& triangles = body->by_triangles();
-        return tetratree::is_convex(triangles.polyhedron, triangles.solid_sides());
+        return tetratree::is_known_convex(triangles.polyhedron, triangles.solid_sides());
       });
       const auto solid = [](const Body_data& body) {
         return tetratree::convex_solid(body.polyhedron, body.solid_sides());

@@ -25,7 +25,7 @@ std::optional<Convex_solid> seen(const Polyhedron& body)
   const Polyhedron triangles = scenes::triangulated(body);
   const Bvh8 tree(triangles, tetracone::covering::star_faces(triangles));
   const Solid_sides sides(tree, triangles);
-  if (!is_convex(triangles, sides)) return std::nullopt;
+  if (!is_known_convex(triangles, sides)) return std::nullopt;
   return convex_solid(triangles, sides);
 }
 
