@@ -67,10 +67,10 @@ class Hull_points {
   Rounded_vector rounded(std::size_t v) const
   {
     if (!rounded_map_) return rounded_[v];
-    const auto& [x, y, z] = corners_[v];
+    const Rounded_vector& x = corners_[v];
     const auto along = [&](std::size_t k) {
       const double* const row = rounded_map_->data() + 4 * k;
-      return row[0] * x + row[1] * y + row[2] * z + row[3];
+      return row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3];
     };
     return {along(0), along(1), along(2)};
   }
@@ -264,8 +264,8 @@ struct Gap_rule {
   double rounded = 0;  ///< near the distance that is asked for, in rounded units
   std::optional<Sweep> sweep = {};
 
-  /// True when a direction m proves that hulls keep the rule: B is beyond A along m by the required distance, or for all
-  /// translations of the box. `gap` is the least m . b - m . a of their points.
+  /// True when a direction m proves that hulls keep the rule: B is beyond A along m by the required distance, or for
+  /// all translations of the box. `gap` is the least m . b - m . a of their points.
   bool is_kept(Exact_number gap, const Exact_vector& m) const
   {
     if (sweep) {

@@ -110,8 +110,8 @@ bool Certificate::exits(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
     // Beyond `until`, a plane across the direction is between the bodies.
     const Placed_pair last = first.at(shifted(exit[1]));
     const kernel::Exact_vector across = tetratree::exact(tetratree::in_lowest_terms(along), 1);
-    const kernel::Exact_number between =
-        tetratree::extent_of(last.body[1].hull({}), across, 1) - tetratree::extent_of(last.body[0].hull({}), across, -1);
+    const kernel::Exact_number between = tetratree::extent_of(last.body[1].hull({}), across, 1) -
+                                         tetratree::extent_of(last.body[0].hull({}), across, -1);
     Rational until = Rational(between) / Rational(last.weight) / kernel::dot(tetratree::in_lowest_terms(along), along);
     if (until <= 0) until = 1;
     add_key(text, "gone");

@@ -57,8 +57,8 @@ class Group_hull {
     }
   }
 
-  /// Returns the corner that is last along a direction, in doubles. `known` are some corners; the more of them are last,
-  /// the faster it is.
+  /// Returns the corner that is last along a direction, in doubles. `known` are some corners; one of them that is near
+  /// the last makes it faster.
   std::uint32_t last(const kernel::Rounded_vector& way, std::span<const std::uint32_t> known = {}) const
   {
     std::uint32_t last = 0;
@@ -125,7 +125,7 @@ class Group_hull {
       length_ = scale.unit * (std::abs(turned[0]) + std::abs(turned[1]) + std::abs(turned[2]));
       start_ = kernel::dot(turned, scale.origin) + (way[0] * map[3] + way[1] * map[7] + way[2] * map[11]) +
                of_boxes * length_ + of_places * terms;
-      const bool is_in_range = length_ >= least && terms < HUGE_VAL;
+      const bool is_in_range = length_ >= shortest && terms < HUGE_VAL;
       if (!is_in_range) start_ = HUGE_VAL;  // no box ends below a limit
       for (std::size_t c = 0; c < 3; ++c) direction_[c] = is_in_range ? float(scale.unit * turned[c] / length_) : 0;
     }
@@ -158,8 +158,8 @@ class Group_hull {
     // `Support_table::box_reach_rounding`, since the direction is rounded, too. That of places is relative to `terms`:
     // 12 roundings of 2^-53, counted by hand, and it is far above underflow (verify/proofs/other_constants.h).
     static constexpr double of_boxes = 8 * Support_table::box_reach_rounding, of_places = 0x1p-44;
-    static constexpr double farthest = 2;      // upper bound of local coordinates
-    static constexpr double least = 0x1p-500;  // the least length at which underflow is far below the errors
+    static constexpr double farthest = 2;         // upper bound of local coordinates
+    static constexpr double shortest = 0x1p-500;  // the least length at which underflow is far below the errors
 
     const Bvh8* tree_;
     double start_, length_;

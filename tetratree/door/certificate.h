@@ -31,8 +31,8 @@ struct Certified_file {
 ///
 /// An answer is left out and counted (`without_proof`) where its proof needs triangles that a face lacks, since its
 /// loops cross. So are relations, exits, depths and first contacts for which the search finds no proof. A wrong
-/// collision, distance, point or ray throws Error, and so does a relation that surfaces or shells contradict. Other wrong
-/// answers find no proof. An answer about another number of bodies than the certificate has throws Error, too.
+/// collision, distance, point or ray throws Error, and so does a relation that surfaces or shells contradict. Other
+/// wrong answers find no proof. An answer about another number of bodies than the certificate has throws Error, too.
 class Certificate {
  public:
   /// For answers about one body. The bodies are written into the certificate, unless `name_file` names their files.
@@ -48,8 +48,8 @@ class Certificate {
   /// Moves; the certificate that is moved from may only be destroyed.
   Certificate& operator=(Certificate&&) noexcept;
 
-  /// Names the file of body 0 or 1, instead of writing the body. Requires a file that holds the body's vertices, and that
-  /// no answer has been added. Throws Error for a body that the certificate has not.
+  /// Names the file of body 0 or 1, instead of writing the body. Requires a file that holds the body's vertices, and
+  /// that no answer has been added. Throws Error for a body that the certificate has not.
   void name_file(std::size_t body, Certified_file file);
 
   /// Asks the query, and adds its answer. Where surfaces meet, the proof is the pair of faces at which the query ended.

@@ -20,8 +20,8 @@ namespace tetracone::tetratree {
 
 /// The contacts of two simple solids after A has been moved by (e, e^2, e^3), e > 0 and infinitesimal.
 ///
-/// They are in general position: no corner of one is in the plane of a face of the other that it touched, and all
-/// contacts are segments. The overlap's volume and moment are continuous in a translation, so those of the solids
+/// They are in general position: all are segments, and no corner is in the plane of a face that it touched. The
+/// overlap's volume and moment are continuous in a translation, so those of the solids
 /// themselves are the limits. These are sums over the points where edges cross faces. Such an edge is not parallel to
 /// the face's plane, and a translation keeps that. So the point has a limit, on the edge and on the face.
 ///

@@ -13,7 +13,8 @@ namespace tetracone::verify {
 /// Returns the exits, by all events of all pairs. An event is a shift at which a vertex is on a triangle, or an edge on
 /// an edge; between two of them nothing changes. At each event, in order, the pieces of both surfaces tell whether the
 /// interiors share a point. The time grows fast with the faces. Requires planar faces, closed polyhedra, det M != 0 and
-/// a direction that is not 0. Throws std::invalid_argument for a face that is not exactly planar, and for an open surface.
+/// a direction that is not 0. Throws std::invalid_argument for a face that is not exactly planar, and for an open
+/// surface.
 Solid_exits exits_by_events(const Object_case& c, const object_family::Exact_vector& direction);
 
 /// Returns the exit of convex solids whose interiors share a point, else 0. It is the least exit by a normal of the
