@@ -40,7 +40,8 @@ def span(values):
 
 
 def claims(readme, folder):
-    """Of each number of the README that the folder has a result for: what it is of, the factor that it may differ by, the ranges said and found."""
+    """Yields what each number of the README is of, the factor by which it may differ, the ranges said, and those found. Numbers without a result in the
+    folder are left out."""
     rows = {cells[0]: cells[1:] for cells in ([cell.strip() for cell in line.strip("|").split("|")] for line in readme.split("\n") if line.startswith("| "))}
     peers, study = race.rows_of(folder, "peers"), Study(folder)
     if peers:

@@ -10,8 +10,8 @@ from reading import exact, index, need, need_form, need_keys
 
 
 def axes_of(f, g):
-    """Normals of two triangles, and products of their edges, but for those that are 0; then, for triangles in one plane, the normals of
-    their edges in it. Some of them separate the triangles where any direction does."""
+    """The normals of two triangles and the products of their edges, except those that are 0. Parallel triangles also have the normals of
+    their edges in their plane. Some of them separate the triangles where any direction does."""
     ways = [[minus(t[k], t[k - 1]) for k in range(3)] for t in (f, g)]
     normals = [cross(e[0], e[1]) for e in ways]
     products = [cross(e, d) for e in ways[0] for d in ways[1]]
@@ -36,8 +36,8 @@ def is_clear(f, h):
 
 
 class Crossings:
-    """Pairs of triangles that go through one another, A moved by a translation. Then the interiors share a point: the winding number
-    changes by 1 across each triangle, and two sides on which it is not 0 share points, since the planes cross."""
+    """Pairs of triangles that go through one another, A moved by a translation. Then the interiors share a point. The winding number changes
+    by 1 across each triangle, so each has a side on which it is not 0. Two such sides share points, since the planes cross."""
 
     def __init__(self, placed):
         self.placed, self.plain, self.scale = placed, set(), on_one_scale(*placed)
@@ -121,8 +121,8 @@ class Boxes(Crossings):
         prove_cover(node, a.body.root, b.body.root, apart)
 
     def prove(self, node, centre, half):
-        """No translation of the box that is shorter than the root of `square` is on the border of those after which the interiors share
-        a point."""
+        """No translation of the box that is shorter than the root of `square` is on the border. The border is that of the translations after
+        which the interiors share a point."""
         if node == "long":
             least = [max(abs(centre[k]) - half[k], 0) for k in range(3)]
             need(dot(least, least) >= self.square, "a box has shorter translations")

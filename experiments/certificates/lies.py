@@ -3,8 +3,8 @@
 
   lies.py CERTIFICATE [A [B]]
 
-Two kinds of lies. Spoiled proofs: a field is changed so that it cannot prove anything, whatever the answer. False claims:
-the answer of one row is that of another, or its proof is, and then each field of the proof is changed as well.
+There are two kinds of lies. Spoiled proofs: a field is changed so that it cannot prove anything, whatever the answer. False claims:
+an answer is wrong, or a row has another's answer and proof; then each field of the proof is changed as well.
 Prints each lie that is believed, and the count of all. Status 1 where one is."""
 import copy
 import json
@@ -68,8 +68,8 @@ def spoiled_proofs(certificate):
     opens_groups = any(f'["{body}"' in json.dumps(certificate["answers"]) for body in "ab")
     for way in places(certificate):
         key, value = way[-1], at(certificate, way)
-        # All keys that are written are needed, but groups that no cover opens and their triangles, the end of a ray behind its hit, and a
-        # bound that an answer does not claim.
+        # All keys that are written are needed, with few exceptions: groups that no cover opens, and their triangles. A ray's end behind its
+        # hit is needless too, and so is a bound that an answer does not claim.
         is_needless = key in ("end", "low", "overlap") or key in ("cut", "groups") and not (opens_groups and "groups" in at(certificate, way[:-1]))
         if isinstance(key, str) and not is_needless:
             rest = {name: below for name, below in at(certificate, way[:-1]).items() if name != key}

@@ -20,7 +20,7 @@ def product(f, g):
 
 
 def raised(f, size):
-    """The same function of the time, since s + t = 1, with so many coefficients."""
+    """A form with `size` coefficients, which is f at all times, since s + t = 1."""
     return raised(product(f, [1, 1]), size) if len(f) < size else f
 
 

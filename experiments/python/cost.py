@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """cost.py BUILD [--poses N] [--passes P] [--csv FILE]: what Python costs over C++.
 
-Times `Query.collide` of the package in BUILD/python and the same loop in C++ through the door (BUILD/python/libthrough_door.so) in one
-process, pass about, on the same bodies and poses, by the thread's own clock, which a busy machine does not move; the fastest pass of each
-counts. Prints, for each workload, nanoseconds a pose of either, their ratio, and how much longer a call with a single pose takes. Made by
+Times `Query.collide` of the package in BUILD/python and the same loop in C++ through the door (BUILD/python/libthrough_door.so). Both run in
+one process, pass about, on the same bodies and poses. The clock is the thread's own, which a busy machine does not move; the fastest pass of
+each counts. Prints, for each workload, nanoseconds a pose of either, their ratio, and how much longer a call with a single pose takes. Made by
 
     cmake --build BUILD --target _tetracone through_door && experiments/python/cost.py BUILD
 """

@@ -182,7 +182,7 @@ def children(c):
 
 
 def classification(data, out):
-    """Figure 6: how a tetrahedron S stands to a tetra-cone T. Of random ones, the first of each kind that is clear to see."""
+    """Figure 6: how a tetrahedron S stands to a tetra-cone T. Each kind is shown by the first random S that is clear to see."""
     def kind(s):
         if (s > 0).all(axis=1).any():
             return 0

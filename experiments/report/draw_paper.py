@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """OUT/paper.csv -> OUT/paper.svg, OUT/paper.pdf, and the tables on the terminal.  usage: draw_paper.py OUT
 
-Four questions of JS08 section 4 and 2.3.1 to its own tree: what adjusting bounding tetrahedra costs, which depth suits a relative size, how
-tests go with it, and whether it matters that the moving body turns.
+It puts four questions of JS08, sections 4 and 2.3.1, to the paper's own tree. What does adjusting bounding tetrahedra cost? Which depth suits a
+relative size? How do tests go with that size? Does it matter that the moving body turns?
 """
 
 import matplotlib.pyplot as plt

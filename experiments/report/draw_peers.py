@@ -55,7 +55,8 @@ def near_contact(rows):
 
 
 def price_of_exactness(rows):
-    """The adaptive kernel's time over double's on the same tree, a line a scenario: the geometric mean over workloads, its interval of 95 % by their spread, and its range."""
+    """The adaptive kernel's time over double's on the same tree, a line a scenario. A line has the geometric mean over workloads, its interval of 95 % by
+    their spread, and the range."""
     over = against(rows, OURS, IN_DOUBLE)
     if not over:
         return

@@ -217,7 +217,7 @@ def strip(field):
 
 
 def scatter(field, kind):
-    """Time against wrong answers, of those that tell a time: the best of each group is labelled, the rest is grey; hollow: it declines more than half."""
+    """Time against wrong answers, of engines that tell a time. The best of each group is labelled, the rest is grey. An engine that declines more than half is hollow."""
     points = []
     for r in field.of("speed", regime=kind):
         rows = field.of("regime", subject=r["subject"], question=r["question"])

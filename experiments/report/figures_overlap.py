@@ -1,4 +1,4 @@
-"""Touch or overlap, and how deep: what other libraries say of boxes side by side, and of how far convex bodies penetrate each other; and what a bracket costs."""
+"""Touch or overlap, and how deep: what other libraries say of boxes side by side and of convex bodies' depths, and what a bracket costs."""
 
 import html
 

@@ -90,6 +90,6 @@ def demand(page):
 
 
 def sections(page, study, campaign):
-    """Of budget.csv and demand.csv in OUT those that are there."""
+    """The sections of budget.csv and demand.csv, where these are in OUT."""
     for figure in (budget, demand):
         yield from figure(page)

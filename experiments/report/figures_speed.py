@@ -13,7 +13,7 @@ BAND = (2e-5, 3e-4)  # where "none wrong" stands on a log axis
 
 
 def front(points):
-    """Of points (time, rate, ...): those that no other beats in one and equals in the other, fastest first."""
+    """The points (time, rate, ...) that no other beats in one and equals or beats in the other, fastest first; of equal points, one."""
     best, kept = None, []
     for point in sorted(points, key=lambda p: (p[0], p[1])):
         if best is None or point[1] < best:
@@ -100,8 +100,8 @@ def study_chart(page, study):
 
 
 def campaign_chart(page, campaign):
-    """The same of everything that the campaign asks, on its families; a query here includes making the bodies ready. Poses of doubles,
-    which everyone is asked; a library in the panels of the question that it knows."""
+    """The chart of everything that the campaign asks, on its families; a query here includes making the bodies ready. Poses are of doubles,
+    which everyone is asked; a library is in the panels of the question that it knows."""
     spent = {}
     for r in campaign.tables["times"]:
         if r["level"] == "object" and r["family"] in REGIME:

@@ -37,7 +37,7 @@ def wilson(wrong, n, z=1.959964):
 
 
 def geometric_mean(values):
-    """Of positive numbers; of none, not a number."""
+    """The geometric mean of positive numbers; NaN of none."""
     values = list(values)
     return math.exp(sum(map(math.log, values)) / len(values)) if values else math.nan
 

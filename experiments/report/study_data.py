@@ -57,6 +57,6 @@ class Study:
         return [r for r in self.rows if r["panel"] == panel and r["question"] == QUESTION[panel] and (r["method"] != "peer" or r["question"] == "surface")]
 
     def points(self, panel):
-        """Of each subject in a regime: its first row, time a query, wrong answers, answers."""
+        """Yields for each subject in a regime: its first row, time a query, wrong answers, answers."""
         for (_,), rows in by(self.asked_in(panel), "subject").items():
             yield rows[0], geometric_mean(r["mean_ns"] for r in rows), sum(r["wrong"] for r in rows), sum(r["poses"] for r in rows)

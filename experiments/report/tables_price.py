@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """OUT/study.csv, OUT/contact_cost.csv -> the price of exactness by regime and kind of contact, on the terminal.  usage: tables_price.py OUT
 
-The adaptive kernel's time over double's on the same tree, over FCL's, whose answers are wrong at times, and over that of the general exact stage alone.
+The adaptive kernel's time is given over double's on the same tree, and over that of the general exact stage alone. It is also given over FCL's,
+whose answers are wrong at times.
 """
 
 import html

@@ -16,8 +16,8 @@ def rows_and_source(page, name, question):
     return rows, rows and Source.of(rows, question, f"{len(rows)} rows")
 
 
-# A table: its CSV in OUT and the question that it answers; title and words of its section; the columns that its CSV keeps; the heads of the page's
-# columns, and the cells of a row, where the first value says whether the row is ours.
+# A table has its CSV in OUT and the question that it answers. Then come title and words of its section, the columns that its CSV keeps, and the heads
+# of the page's columns. Last is a function of a row, which returns whether the row is ours, and its cells.
 TABLES = (
     ("contacts", "How fast are all contacts of bodies that collide, and how many of FCL's pairs are wrong?",
      "All contacts of bodies that collide",

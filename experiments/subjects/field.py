@@ -1,7 +1,9 @@
 #!/usr/bin/python3
-"""The field on trial: field.py [PROGRAM] [--out DIR] [--cases N] [--frames N] [--limit S] [--csv FILE] asks the engines of npm and of Debian that are
-here, the peers and our own kernels the campaign's questions, and writes DIR/field.csv and DIR/field.html. Started again with the same words, it goes on
-where it was. `./reproduce field` calls it. Without PROGRAM it asks the cases of field_trial.py, and no kernel of ours and no peer."""
+"""The field on trial: field.py [PROGRAM] [--out DIR] [--cases N] [--frames N] [--limit S] [--csv FILE].
+
+It asks the campaign's questions of the engines of npm and of Debian that are here, the peers and our own kernels. It writes DIR/field.csv and
+DIR/field.html. Started again with the same words, it goes on where it was. `./reproduce field` calls it. Without PROGRAM it asks the cases of
+field_trial.py, and no kernel of ours and no peer."""
 
 import argparse
 import csv

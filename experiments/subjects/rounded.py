@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Exact after rounding, as a subject: rounded.py BITS [vertices]. Placed vertices, or with the word `vertices` those of the bodies before they are placed,
-are rounded to a grid of 2^-BITS of the size, and what is left is decided in integers without error. Its wrong answers are what rounding costs."""
+"""Exact after rounding, as a subject: rounded.py BITS [vertices]. Placed vertices are rounded to a grid of 2^-BITS of the size; with the word `vertices`,
+those of the bodies before they are placed. The result is decided in integers without error. So wrong answers are what rounding costs."""
 
 import itertools
 import json

@@ -6,12 +6,13 @@ usage: run.py BUILD [--out FOLDER] [--only WORD] [--left] [--jobs N] [--csv FILE
 BUILD is a built tree with the libraries `tetracone_library`, `tetracone_repair` and `truths`. A mutant is killed when its test fails, or does
 not end. A mutant with the field `harmless` survives, for the reason that the field gives.
 Exit status 1 when another one survives, when a harmless one is killed, or when one does not compile: an error of the list.
-Of a mutant that names `units`, these sources of the library, the mutated one and what calls it, are compiled with the test from the mutated
-copy, and those of verify by the mutated headers; else what the library has compiled is right.
+The field `units` names sources that are compiled with the test: the mutated source and what calls it, from the mutated copy. Those of verify
+are compiled as they are, with the mutated headers. All other sources are as the libraries have compiled them, without the error.
 
-Each result is kept in FOLDER (default BUILD/mutants) as soon as it is known, with the digests of all files that its judge has compiled and
-of the objects of the library that it was linked with. It counts as long as these are the same: what was stopped goes on, and after a change
-those are judged again whose judge has compiled what has changed. N mutants (default: the number of cores) are tried at a time.
+Each result is kept in FOLDER (default BUILD/mutants) as soon as it is known. The digests of all files that its judge has compiled, and of the
+library's objects that it was linked with, are kept too. The result counts as long as these are the same, so that a stopped run goes on. After a
+change, those mutants are judged again whose judge has compiled or linked what has changed. N mutants (default: the number of cores) are tried
+at a time.
 
 FILE gets a row a mutant, in the list's order: when it was judged, from which version and commit, by what, and what was found. Rows of mutants
 that are not asked about stay. --left asks about those that FILE has no row of by the judge that the
@@ -95,7 +96,7 @@ class Sources:
             return self.files[name]
 
     def object(self, name):
-        """Of a member of an archive, "libtetracone.a(body.cpp.o)"."""
+        """The digest of a member of an archive, as of "libtetracone.a(body.cpp.o)". None where it cannot be read."""
         with self.lock:
             if name not in self.files:
                 archive, member = re.fullmatch(r"(.*)\((.*)\)", name).groups()
@@ -143,7 +144,7 @@ def build_judge(folder, options, mutant, build):
             return next((line for line in built.stderr.splitlines() if "error" in line), "?"), [], ""
         objects.append(str(made))
         read += made.with_suffix(".d").read_text().replace("\\\n", " ").split()[1:]
-    # What is no header is the built one, but for the units: what is defined first counts.
+    # All sources but the units are the built ones. The units' objects come before the libraries, and the first definition counts.
     linked = subprocess.run([compiler(), *objects, "-Wl,--trace", *(["-Wl,--allow-multiple-definition"] if units else []), *libraries,
                              *LINK_TEST, *LINK, "-o", str(folder / "judge")], capture_output=True, text=True)
     if linked.returncode != 0:

@@ -11,7 +11,7 @@ HEADER = ["id", "question", "answer"]
 
 
 class Error(Exception):
-    """What is wrong in the file of answers: one line."""
+    """An error in the file of answers, told in one line."""
 
 
 def truths(folder):

@@ -113,8 +113,8 @@ class Case:
 def cases(family, n, seed=1, question="solid"):
     """The first n cases of a family, one after the other: the same on every machine.
 
-    Raises Error for a family that is none of `families`, for another question than "solid" or "surface", and for a seed
-    below 0 or of more than 64 bits.
+    Raises Error for a family that is none of `families`, and for another question than "solid" or "surface". It also
+    raises Error for a seed below 0 or of more than 64 bits.
 
     >>> from tetracone import verify
     >>> [case.parameter for case in verify.cases("nested", 3)]

@@ -336,7 +336,7 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     check(marks(browser.picture(clean, "pose=0")) == 0, "no mark where nothing is wrong")
     dark = browser.picture(pair, "pose=3&show=a,b&opacity=1&theme=dark")
     check(near(dark, (21, 24, 27)) > 50000 and hue(dark, "a") > 5000, "a dark background")
-    # A scene of many bodies: which are marked, and that it plays on; how smoothly is not for a test, which has the processors with others.
+    # A scene of many bodies: which are marked, and that it plays on. How smoothly it plays is not tested, since other tests use the processors too.
     apart, together = (browser.picture(scene, f"frame={k}") for k in (1, 0))
     check(hue(apart, "a") > 500 and hue(apart, "orange") == 0, "bodies that are apart are blue")
     check(hue(together, "orange") > 500 and hue(together, "a") == 0, "bodies that collide are orange")

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Tests of experiments/subjects/field.py: its tables are those of a campaign, its reproductions have the answers they say, its page shows the table, and
-the packages of npm are fixed without a host."""
+"""Tests of experiments/subjects/field.py: its tables are those of a campaign, and its reproductions have the answers they say. Its page shows the
+table, and the packages of npm are fixed without a host."""
 
 import csv
 import json
@@ -76,7 +76,7 @@ class Field(unittest.TestCase):
         (apart,) = self.of("regime", subject="Apart")
         self.assertEqual(row["wrong"], apart["missed"])
         self.assertGreater(row["changed"], 5)
-        # What is called apart is missed of the rounded cubes too; it is excused where rounding parts them.
+        # The subject calls all cubes apart, so it misses overlaps of rounded cubes too. A wrong answer is excused where rounding parts them.
         self.assertLess(row["excused"], row["wrong"])
         self.assertEqual(row["missed"] - row["wrong"] + 2 * row["excused"], row["changed"])
 

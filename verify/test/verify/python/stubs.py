@@ -31,7 +31,7 @@ def parameters(function):
 
 
 def real_parameters(function):
-    """The same of a function of a module. One in C++ says them in its documentation's first line."""
+    """Names and defaults of a module's function, as `parameters` returns them. One in C++ says them in its documentation's first line."""
     try:
         given = inspect.signature(function).parameters.values()
     except ValueError:
