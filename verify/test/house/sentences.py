@@ -1,12 +1,15 @@
 #!/usr/bin/python3
-"""House rule: no sentence of a comment in the C++ sources, of a docstring in them, or of a document has more than 25 words.
+"""House rule: no sentence of a comment in the C++ or Python sources, of a docstring, or of a document has more than 25 words.
 
-A docstring is a text R"( ... )" of a folder python/. No sentence of it begins without a subject, as comments by house.cpp. Each flaw is told with its
-file and line.
+Docstrings are those of Python, and in C++ the texts R"( ... )" of a folder python/. No sentence of a docstring or of Python's comments begins without a
+subject; house.cpp holds comments of C++ to that. Each flaw is told with its file and line.
 """
 
+import ast
+import io
 import pathlib
 import re
+import tokenize
 import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
@@ -20,6 +23,7 @@ OPERATOR = re.compile(r"[-+*/=<>^|&.~]+")
 ITEM = re.compile(r"(-|\*|\d+[.)]) +")
 DOCSTRING = re.compile(r'R"\((.*?)\)"', re.DOTALL)
 HEADLESS = re.compile(r"(Of|The same|So many|What is) ")
+PRAGMA = re.compile(r"#!|# *(noqa|type:|SPDX-|Copyright)")
 
 
 def comments(text):
@@ -107,23 +111,50 @@ def long_sentences_of_document(path, text):
     return found
 
 
-def flaws_of_docstrings(path, text):
-    """Their paragraphs are judged as comments are. An example, from >>> up to an empty line, is code."""
-    lines = [""] * (text.count("\n") + 1)
-    for docstring in DOCSTRING.finditer(text):
-        in_code = False
-        for number, line in enumerate(docstring[1].split("\n"), text.count("\n", 0, docstring.start())):
-            in_code = line.startswith(">>>") or (in_code and bool(line))
-            lines[number] = "///" if in_code else "/// " + line
-    judged = "\n".join(lines)
+def flaws(path, judged):
+    """Long sentences, and those without a subject."""
     return long_sentences(path, judged) + [
         f"{path}:{line}: begins without a subject: {sentence}"
         for comment in comments(judged) for paragraph in paragraphs(comment) for line, sentence in sentences(paragraph)
         if HEADLESS.match(sentence)]
 
 
+def as_comment(docstring):
+    """Its lines as comments. An example, from >>> up to an empty line, is code."""
+    in_code = False
+    for line in docstring.split("\n"):
+        in_code = line.startswith(">>>") or (in_code and bool(line))
+        yield "///" if in_code else "/// " + line
+
+
+def flaws_of_docstrings(path, text):
+    """Their paragraphs are judged as comments are."""
+    lines = [""] * (text.count("\n") + 1)
+    for docstring in DOCSTRING.finditer(text):
+        for number, line in enumerate(as_comment(docstring[1]), text.count("\n", 0, docstring.start())):
+            lines[number] = line
+    return flaws(path, "\n".join(lines))
+
+
+def flaws_of_python(path, text):
+    """Docstrings, and comments of # that are no pragmas, are judged as comments of C++ are."""
+    written = text.split("\n")
+    lines = [""] * len(written)
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)) and ast.get_docstring(node) is not None:
+            indentation = " " * node.body[0].col_offset
+            docstring = ast.get_docstring(node, clean=False).replace("\n" + indentation, "\n")
+            for number, line in enumerate(as_comment(docstring), node.body[0].lineno - 1):
+                lines[number] = indentation + line
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.COMMENT and not PRAGMA.match(token.string):
+            number, column = token.start
+            lines[number - 1] = re.sub(r"\S", "x", written[number - 1][:column]) + "//" + re.sub("^#+:?", "", token.string)
+    return flaws(path, "\n".join(lines))
+
+
 def sources(folder):
-    return sorted(path for path in (SOURCE / folder).rglob("*") if path.suffix in (".h", ".inl", ".cpp"))
+    return sorted(path for path in (SOURCE / folder).rglob("*") if path.suffix in (".h", ".inl", ".cpp", ".py", ".pyi"))
 
 
 class Sentences(unittest.TestCase):
@@ -134,6 +165,9 @@ class Sentences(unittest.TestCase):
             self.assertTrue(found, folder)
             for path in found:
                 text = path.read_text(encoding="utf-8")
+                if path.suffix.startswith(".py"):
+                    wrong += flaws_of_python(path.relative_to(SOURCE), text)
+                    continue
                 wrong += long_sentences(path.relative_to(SOURCE), text)
                 if path.parent.name == "python":
                     wrong += flaws_of_docstrings(path.relative_to(SOURCE), text)
@@ -165,6 +199,16 @@ class Sentences(unittest.TestCase):
         for wrong in (f'f(R"(f()\n\n{few}\n{few}.)");', f'f(R"(f()\n\n>>> x\n\n{few}\n{few}.)");', 'f(R"(f()\n\nOne.\nOf one, a word.)");'):
             self.assertEqual(len(flaws_of_docstrings("x.cpp", wrong)), 1, wrong)
         self.assertTrue(flaws_of_docstrings("x.cpp", f'\nf(R"(f()\n\n{few}\n{few}.)");')[0].startswith("x.cpp:4: "))
+
+    def test_docstrings_and_comments_of_python_are_judged(self):
+        few = " ".join(["word"] * 20)
+        for right in (f'"""{few}.\n\n>>> {few} {few}\n"""', f'x = """{few} {few}"""', f"x = '# {few} {few}'", f"#!{few} {few}\nimport x  # noqa: {few} {few}",
+                      f"# {few}\nx = 1\n# {few}", f'class X:\n    """{few}\n\n        {few}\n        {few}"""'):
+            self.assertEqual(flaws_of_python("x.py", right), [], right)
+        for wrong in (f'"""{few}\n{few}."""', f'def f():\n    """X.\n\n    {few}\n    {few}."""', f"# {few}\n# {few}", f"x = 1  # {few}\n       #: {few}",
+                      "# Of x, a word.", 'class X:\n    async def f():\n        """X. The same of x."""'):
+            self.assertEqual(len(flaws_of_python("x.py", wrong)), 1, wrong)
+        self.assertTrue(flaws_of_python("x.py", f'def f():\n    """X.\n\n    {few}\n    {few}."""\n')[0].startswith("x.py:4: "))
 
     def test_sentences_items_and_code_are_told_apart(self):
         few = " ".join(["word"] * 20)
