@@ -5,7 +5,7 @@
 #include "tetracone/tetratree/certificate/placed_pair.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/certificate.h"
-#include "tetracone/tetratree/penetration/common_frame.h"
+#include "tetracone/tetratree/penetration/near_origin.h"
 
 #include <array>
 #include <cstddef>
@@ -72,9 +72,9 @@ struct Certificate::Data {
   {
     kernel::require_sound_floating_point();
     const auto trees = groups();
-    const auto frame = tetratree::common_frame(pose_a, trees[0]->tree().scale(), pose_b);
-    if (frame.exponent != 0) return {trees, {pose_a, pose_b}};
-    return {trees, frame.pose, frame.origin};
+    const auto near = tetratree::near_origin(pose_a, trees[0]->tree().scale(), pose_b);
+    if (near.exponent != 0) return {trees, {pose_a, pose_b}};
+    return {trees, near.pose, near.origin};
   }
 
   /// Returns the only body. Throws Error for a certificate of two bodies, and where floating point is not sound.

@@ -5,10 +5,10 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/contacts_data.h"
-#include "tetracone/tetratree/penetration/common_frame.h"
 #include "tetracone/tetratree/penetration/convex_body.h"
 #include "tetracone/tetratree/penetration/depth_search.h"
 #include "tetracone/tetratree/penetration/exit_search.h"
+#include "tetracone/tetratree/penetration/near_origin.h"
 #include "tetracone/tetratree/penetration/seen_solid.h"
 #include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/query/bvh8_contacts.h"
@@ -105,11 +105,11 @@ class Bvh8_relation_solver : public Relation_solver {
   {
     Exits exits;
     if (!interiors_meet(relation_alone(pose_a, pose_b))) return exits;
-    const tetratree::Common_frame frame = common_frame(pose_a, pose_b);
+    const tetratree::Near_origin near = near_origin(pose_a, pose_b);
     const kernel::Direction_view view(direction);
-    const tetratree::Exit_heights heights = exit_heights(frame.pose[0], frame.pose[1], direction, view);
+    const tetratree::Exit_heights heights = exit_heights(near.pose[0], near.pose[1], direction, view);
     const auto given = [&](const kernel::Rational& height) {
-      return kernel::times_power(height / view.height(), frame.exponent);
+      return kernel::times_power(height / view.height(), near.exponent);
     };
     write(given(heights.first), exits.first, exits.exact_first);
     write(given(heights.last), exits.last, exits.exact_last);
@@ -130,19 +130,19 @@ class Bvh8_relation_solver : public Relation_solver {
       };
       depth_search_.emplace(seen(a), seen(b), inner(a), inner(b));
     }
-    const tetratree::Common_frame frame = common_frame(pose_a, pose_b);
+    const tetratree::Near_origin near = near_origin(pose_a, pose_b);
     const auto exit = [&](const kernel::Rational_point& direction) {
       const kernel::Direction_view view(direction);
-      const kernel::Rational first = exit_heights(frame.pose[0], frame.pose[1], direction, view).first / view.height();
+      const kernel::Rational first = exit_heights(near.pose[0], near.pose[1], direction, view).first / view.height();
       tetratree::Depth_search::Exit found{direction, {}};
       for (kernel::Rational& x : found.vector) x *= first;
       for (const auto& normal : exit_search_->normals()) found.normals.push_back(view.normal(normal));
       return found;
     };
-    const auto meet = [&](const kernel::Rational_point& v) { return meet_after(frame.pose[0], frame.pose[1], v, 1); };
-    return told(scaled((*depth_search_)(kernel::rows_of(frame.pose[0]), kernel::rows_of(frame.pose[1]), exit, meet,
+    const auto meet = [&](const kernel::Rational_point& v) { return meet_after(near.pose[0], near.pose[1], v, 1); };
+    return told(scaled((*depth_search_)(kernel::rows_of(near.pose[0]), kernel::rows_of(near.pose[1]), exit, meet,
                                         {options.relative, options.budget}),
-                       frame.exponent));
+                       near.exponent));
   }
 
   tetratree::Query_statistics statistics() const override
@@ -264,9 +264,9 @@ class Bvh8_relation_solver : public Relation_solver {
     return relation != Solid_relation::disjoint && relation != Solid_relation::meet;
   }
 
-  tetratree::Common_frame common_frame(const kernel::Pose& pose_a, const kernel::Pose& pose_b) const
+  tetratree::Near_origin near_origin(const kernel::Pose& pose_a, const kernel::Pose& pose_b) const
   {
-    return tetratree::common_frame(pose_a, body_[0]->by_triangles().bvh8().scale(), pose_b);
+    return tetratree::near_origin(pose_a, body_[0]->by_triangles().bvh8().scale(), pose_b);
   }
 
   /// Returns the bracket times 2^exponent.

@@ -45,7 +45,7 @@ inline std::vector<Other_constant> other_constants()
       {"kernel/predicate/hull_separation.h", "image_underflow", tested,
        "verify/test/kernel/predicate/hull_separation.cpp"},
       {"kernel/contact/crossing_polytope.h", "tangent", choice, "from where on fractions decide"},
-      {"tetratree/penetration/common_frame.h", "much", choice, "which translations are taken off"},
+      {"tetratree/penetration/near_origin.h", "much", choice, "which translations are taken off"},
       {"tetratree/penetration/inner_balls.h", "least_share", choice, "which balls stand for a solid"},
       {"tetratree/penetration/depth_search.h", "same_plane", choice, "which planes are tried for corners"},
       {"tetratree/penetration/depth_search.h", "pairs_a_box", choice, "when pairs of boxes are opened"},

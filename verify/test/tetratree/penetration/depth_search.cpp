@@ -5,7 +5,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/tetracone.h"
-#include "tetracone/tetratree/penetration/common_frame.h"
+#include "tetracone/tetratree/penetration/near_origin.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/exit_truth.h"
 
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(a_solid_without_volume_has_no_inside)
   BOOST_TEST(depth.high == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_common_frame_is_one_map_of_both_poses)
+BOOST_AUTO_TEST_CASE(poses_near_the_origin_are_one_map_of_those_given)
 {
   scenes::Random random(9);
   long moved = 0, scaled = 0;
@@ -225,18 +225,18 @@ BOOST_AUTO_TEST_CASE(a_common_frame_is_one_map_of_both_poses)
       for (Rational& x : rows) x = rounded ? Rational(kernel::nearest_double(x * size)) : Rational(x * size);
       p = Pose(rows);
     }
-    const tetratree::Common_frame frame = tetratree::common_frame(pose[0], scale, pose[1]);
+    const tetratree::Near_origin near = tetratree::near_origin(pose[0], scale, pose[1]);
     std::array<std::array<Rational, 12>, 2> off;
     for (std::size_t body = 0; body < 2; ++body)
       for (int k = 0; k < 12; ++k)
-        off[body][k] = pose[body].exact(k) - kernel::times_power(frame.pose[body].exact(k), frame.exponent);
+        off[body][k] = pose[body].exact(k) - kernel::times_power(near.pose[body].exact(k), near.exponent);
     BOOST_TEST((off[0] == off[1]));
     for (int k = 0; k < 12; ++k)
       if (k % 4 != 3) BOOST_TEST(off[0][k] == 0);
     for (std::size_t body = 0; body < 2; ++body)
-      BOOST_TEST((pose[body].is_rational() || !frame.pose[body].is_rational()));
+      BOOST_TEST((pose[body].is_rational() || !near.pose[body].is_rational()));
     moved += off[0] != std::array<Rational, 12>{};
-    scaled += frame.exponent != 0;
+    scaled += near.exponent != 0;
   }
   BOOST_TEST(moved > 500);
   BOOST_TEST(scaled > 300);

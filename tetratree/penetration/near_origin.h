@@ -1,5 +1,5 @@
-#ifndef TETRACONE_TETRATREE_PENETRATION_COMMON_FRAME_H
-#define TETRACONE_TETRATREE_PENETRATION_COMMON_FRAME_H
+#ifndef TETRACONE_TETRATREE_PENETRATION_NEAR_ORIGIN_H
+#define TETRACONE_TETRATREE_PENETRATION_NEAR_ORIGIN_H
 
 #include "tetracone/kernel/bound/origin_offset.h"
 #include "tetracone/kernel/contact/rational_face.h"
@@ -15,7 +15,7 @@ namespace tetracone::tetratree {
 
 /// The poses of two bodies after one map x -> 2^-exponent (x - origin), which is exact. Exits and depths become those
 /// of the given poses, times 2^-exponent.
-struct Common_frame {
+struct Near_origin {
   std::array<kernel::Pose, 2> pose;
   int exponent = 0;
   kernel::Rational_point origin = {};
@@ -25,7 +25,7 @@ struct Common_frame {
 ///
 /// The origin is A's translation in the coordinates where this is much larger than A. Poses of doubles stay such poses.
 /// The exponent is 0 unless A is smaller than 2^-100 or larger than 2^100.
-inline Common_frame common_frame(const kernel::Pose& a, const kernel::Local_scale& scale_of_a, const kernel::Pose& b)
+inline Near_origin near_origin(const kernel::Pose& a, const kernel::Local_scale& scale_of_a, const kernel::Pose& b)
 {
   constexpr double much = 0x1p10;  // by which a translation exceeds A's reach where it is taken off
   constexpr int usual = 100;       // the largest exponent of a size that is left as it is
