@@ -46,12 +46,12 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
 }
 
 /// Whether a point is inside of A, and of B.
-using Sides = std::array<bool, 2>;
+using Membership = std::array<bool, 2>;
 
 /// Appends a point for each of `wanted`, if some lines near a common point have one. All points between two crossings
 /// of a line are on one side. So points are found within the thinnest overlap. True when all of `wanted` were found;
 /// else the text is of no use.
-inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Sides> wanted)
+inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Membership> wanted)
 {
   constexpr int most_lines = 96,         // lines tried
       lines_of_a_size = 4;               // lines tried at one distance from the point; the next are nearer
@@ -72,7 +72,7 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
   const auto try_point = [&](const kernel::Exact_vector& x) {
     const std::string of = "\"point\":" + strings_of(pair.written(rational(kernel::Exact_point{x}, pair.weight)));
     const auto in_a = winding_row(pair, 0, of, x), in_b = winding_row(pair, 1, of, x);
-    if (!in_a || !in_b || std::erase(wanted, Sides{in_a->second != 0, in_b->second != 0}) == 0) return;
+    if (!in_a || !in_b || std::erase(wanted, Membership{in_a->second != 0, in_b->second != 0}) == 0) return;
     rows.push_back(in_a->first);
     rows.push_back(in_b->first);
   };
