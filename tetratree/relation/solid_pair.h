@@ -35,9 +35,9 @@ struct Solid_piece {
   }
 };
 
-/// A cell of a face, and on which of its sides the face's own solid is (`own`), and the other one (`other`).
-struct Seen_cell {
-  bool is_on_other = false;  ///< it lies on a face of the other body
+/// On which sides of a cell of a face the face's own solid is (`own`), and the other one (`other`).
+struct Cell_sides {
+  bool is_on_other = false;  ///< the cell lies on a face of the other body
   Normal_sides own, other;   ///< along the axis of the face's cells, and against it
 };
 
@@ -85,9 +85,9 @@ class Solid_pair {
   {
     found_ = {};
     for (int body = 0; body < 2; ++body) {
-      for_cut_faces(body, [&](Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
-        for (std::size_t c = 0; c < cells.size(); ++c) note(body, seen[c]);
-        note_borders(body, f, cells, seen);
+      for_cut_faces(body, [&](Index f, const kernel::Face_cells& cells, std::span<const Cell_sides> sides) {
+        for (std::size_t c = 0; c < cells.size(); ++c) note(body, sides[c]);
+        note_borders(body, f, cells, sides);
         return !found_.is_overlap();
       });
       if (found_.is_overlap()) return kernel::Solid_relation::overlap;
@@ -110,11 +110,11 @@ class Solid_pair {
     kernel::Rational_cones cut;
     std::array<kernel::Model_cones, 2> uncut;
     for_border(
-        [&](int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
+        [&](int body, Index f, const kernel::Face_cells& cells, std::span<const Cell_sides> sides) {
           const Rational_point& corner = solid_[body].face(f).origin();
-          cells.for_borders(weights(body, f, cells, seen), [&](const Rational_point& p, const Rational_point& q,
-                                                               int weight) { cut.add(weight, corner, p, q); });
-          if (body == 0) add_contact(f, cells, seen, overlap);
+          cells.for_borders(weights(body, f, cells, sides), [&](const Rational_point& p, const Rational_point& q,
+                                                                int weight) { cut.add(weight, corner, p, q); });
+          if (body == 0) add_contact(f, cells, sides, overlap);
         },
         [&](int body, Index f, int weight) {
           const covering::Polyhedron& polyhedron = solid_[body].polyhedron();
@@ -133,8 +133,8 @@ class Solid_pair {
   void for_border_parts(const What& what)
   {
     for_border(
-        [&](int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
-          const std::vector<int> weight = weights(body, f, cells, seen);
+        [&](int body, Index f, const kernel::Face_cells& cells, std::span<const Cell_sides> sides) {
+          const std::vector<int> weight = weights(body, f, cells, sides);
           for (std::size_t c = 0; c < cells.size(); ++c) {
             if (weight[c] == 0) continue;
             auto corners = cells.corners(c);
@@ -152,17 +152,17 @@ class Solid_pair {
         });
   }
 
-  /// Calls what(face, cells, seen cells) for each face with area that meets the other body or is no triangle. Ends
+  /// Calls what(face, cells, their sides) for each face with area that meets the other body or is no triangle. Ends
   /// where what() returns false.
   template <class What>
   void for_cut_faces(int body, const What& what)
   {
     for (const auto& [f, pieces] : pieces_of_[body]) {
       if (!solid_[body].face(f).has_plane()) continue;
-      const auto whats_next = [&what, face = f](const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
-        return what(face, cells, seen);
+      const auto of_this_face = [&what, face = f](const kernel::Face_cells& cells, std::span<const Cell_sides> sides) {
+        return what(face, cells, sides);
       };
-      if (!for_cells(body, f, pieces, whats_next)) return;
+      if (!for_cells(body, f, pieces, of_this_face)) return;
     }
   }
 
@@ -198,7 +198,7 @@ class Solid_pair {
   }
 
  private:
-  /// Returns what(cells, seen cells) for a face that meets the other body in these pieces.
+  /// Returns what(cells, their sides) for a face that meets the other body in these pieces.
   template <class What>
   bool for_cells(int body, Index f, std::span<const std::size_t> pieces, const What& what)
   {
@@ -218,13 +218,15 @@ class Solid_pair {
     }
     for (const Index other : own.sides().cutters(f)) add_cuts(own.face(f), own.face(other), cuts);
     const kernel::Face_cells cells(own.face(f), cuts, may_cross);
-    std::vector<Seen_cell> seen;
-    for (std::size_t c = 0; c < cells.size(); ++c) seen.push_back(see(body, f, pieces, cells, c));
-    return what(cells, seen);
+    std::vector<Cell_sides> sides;
+    for (std::size_t c = 0; c < cells.size(); ++c) sides.push_back(classify(body, f, pieces, cells, c));
+    return what(cells, sides);
   }
 
-  /// Looks at a cell of a face. It lies on the other body where a face of a common polygon holds its inner point.
-  Seen_cell see(int body, Index f, std::span<const std::size_t> pieces, const kernel::Face_cells& cells, std::size_t c)
+  /// Returns the sides of a cell of a face. The cell lies on the other body where a face of a common polygon holds its
+  /// inner point.
+  Cell_sides classify(int body, Index f, std::span<const std::size_t> pieces, const kernel::Face_cells& cells,
+                      std::size_t c)
   {
     Placed_solid &own = solid_[body], &other = solid_[1 - body];
     const Rational_face& face = own.face(f);
@@ -234,7 +236,7 @@ class Solid_pair {
       return sides;
     };
     const Rational_point x = cells.inner_point(c);
-    Seen_cell cell;
+    Cell_sides cell;
     cell.own = along_axis(own.sides().of(f).is_plain ? own.plain_sides(f) : own.sides_at(x, face.normal()), is_up);
     for (const std::size_t k : pieces) {
       if (pieces_[k].kind != kernel::Piece::polygon) continue;
@@ -263,27 +265,27 @@ class Solid_pair {
     });
   }
 
-  /// Visits all faces that may bound the overlap. Calls of_cells(body, face, cells, seen cells) for faces whose cells
+  /// Visits all faces that may bound the overlap. Calls of_cells(body, face, cells, their sides) for faces whose cells
   /// have to be looked at. Calls of_whole(body, face, weight) for whole triangles that bound it.
   template <class Of_cells, class Of_whole>
   void for_border(const Of_cells& of_cells, const Of_whole& of_whole)
   {
     for (int body = 0; body < 2; ++body) {
-      for_cut_faces(body, [&](Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
-        of_cells(body, f, cells, seen);
+      for_cut_faces(body, [&](Index f, const kernel::Face_cells& cells, std::span<const Cell_sides> sides) {
+        of_cells(body, f, cells, sides);
         return true;
       });
       for_uncut_parts(body, [&](const Part& part) {
         if (!part.is_inside) return;
         for (const Index f : part.faces) {
-          const Solid_sides::Face_sides& sides = solid_[body].sides().of(f);
-          if (!sides.is_plain)
-            for_cells(body, f, {}, [&](const kernel::Face_cells& cells, std::span<const Seen_cell> seen) {
-              of_cells(body, f, cells, seen);
+          const Solid_sides::Face_sides& face = solid_[body].sides().of(f);
+          if (!face.is_plain)
+            for_cells(body, f, {}, [&](const kernel::Face_cells& cells, std::span<const Cell_sides> sides) {
+              of_cells(body, f, cells, sides);
               return true;
             });
-          else if (sides.front != sides.back)
-            of_whole(body, f, sides.back - sides.front);
+          else if (face.front != face.back)
+            of_whole(body, f, face.back - face.front);
         }
       });
     }
@@ -291,11 +293,11 @@ class Solid_pair {
 
   /// Returns a number for each cell of a face: 1 where it bounds the overlap from above, as seen along the axis, -1
   /// where it does from below, else 0. A cell that lies on several faces counts once.
-  std::vector<int> weights(int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen)
+  std::vector<int> weights(int body, Index f, const kernel::Face_cells& cells, std::span<const Cell_sides> sides)
   {
     std::vector<int> weights(cells.size(), 0);
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      const auto [is_on_other, own, other] = seen[c];
+      const auto [is_on_other, own, other] = sides[c];
       weights[c] = int(own.against && other.against) - int(own.along && other.along);
       if (weights[c] != 0 && ((body == 1 && is_on_other) || is_counted(body, f, cells, c))) weights[c] = 0;
     }
@@ -303,13 +305,13 @@ class Solid_pair {
   }
 
   /// Adds the cells of a face of A that lie on B.
-  void add_contact(Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen, Solid_overlap& overlap)
+  void add_contact(Index f, const kernel::Face_cells& cells, std::span<const Cell_sides> sides, Solid_overlap& overlap)
   {
     std::vector<int> areas(cells.size(), 0), outward(cells.size(), 0);
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (!seen[c].is_on_other || is_counted(0, f, cells, c)) continue;
+      if (!sides[c].is_on_other || is_counted(0, f, cells, c)) continue;
       areas[c] = 1;
-      outward[c] = int(seen[c].own.against) - int(seen[c].own.along);
+      outward[c] = int(sides[c].own.against) - int(sides[c].own.along);
     }
     const auto sum = [&](const std::vector<int>& weights) {
       Rational_point twice = {0, 0, 0};
@@ -324,7 +326,7 @@ class Solid_pair {
     for (int k = 0; k < 3; ++k) overlap.contact_vector[k] += vector[k] / 2;
   }
 
-  void note(int body, const Seen_cell& cell)
+  void note(int body, const Cell_sides& cell)
   {
     for (bool Normal_sides::*side : {&Normal_sides::along, &Normal_sides::against}) {
       const bool in_own = cell.own.*side, in_other = cell.other.*side;
@@ -356,7 +358,7 @@ class Solid_pair {
 
   /// Notes whether a piece on a face meets the border of the face's own solid. That border is the closed cells with a
   /// side that is not in the solid. All cells of a plain triangle have equal sides.
-  void note_borders(int body, Index f, const kernel::Face_cells& cells, std::span<const Seen_cell> seen)
+  void note_borders(int body, Index f, const kernel::Face_cells& cells, std::span<const Cell_sides> sides)
   {
     bool& meets = found_.meets_border[1 - body];
     const auto& pieces = pieces_of_[body][f];
@@ -366,7 +368,7 @@ class Solid_pair {
       return;
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (!seen[c].own.any_out()) continue;
+      if (!sides[c].own.any_out()) continue;
       for (const std::size_t k : pieces)
         for (const auto& loop : pieces_[k].loops)
           for (std::size_t j = 0; j < loop.size(); ++j)
