@@ -38,12 +38,12 @@ class Crossing_polytope {
  public:
   /// Requires a block of upward rounding. With pieces that are not bounded (`are_bounded` is false), it holds no
   /// translation and may meet every box. `radius` is an upper bound of the ball's radius. Translations that are asked
-  /// for have coordinates of at most `most`. `exactly` answers questions about the exact pieces. `is_zero(axis)` says
+  /// for have coordinates of at most `most`. `axes` answers questions about the exact pieces. `is_zero(axis)` says
   /// whether an axis is the direction 0. `is_outside_ball(axis, sign)` is true when a half-space's plane misses the
   /// open ball.
-  template <class Exactly>
+  template <class Exact_axes>
   Crossing_polytope(const Rounded_piece& a, const Rounded_piece& b, bool are_bounded, double radius, double most,
-                    const Exactly& exactly)
+                    const Exact_axes& axes)
   {
     if (!are_bounded) {
       half_spaces_.push_back({{0, 0, 0}, -HUGE_VAL, HUGE_VAL, {}, 1});
@@ -68,11 +68,11 @@ class Crossing_polytope {
     detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
       if (axis.kind == Shift_axis::Kind::edge_of_a || axis.kind == Shift_axis::Kind::edge_of_b) return true;
       const detail::Allowed<Interval> allowed(axis, a, b, errors);
-      if (allowed.may_say_nothing && exactly.is_zero(axis)) return true;
+      if (allowed.may_say_nothing && axes.is_zero(axis)) return true;
       const Number_point<double> about = detail::direction<double>(axis, a, b);
       const Number_point<Interval> n = {about[0] + off, about[1] + off, about[2] + off};
-      add(axis, 1, n, allowed.high, radius, most, exactly);
-      add(axis, -1, n, -allowed.low, radius, most, exactly);
+      add(axis, 1, n, allowed.high, radius, most, axes);
+      add(axis, -1, n, -allowed.low, radius, most, axes);
       return !is_beyond_;
     });
   }
@@ -129,9 +129,9 @@ class Crossing_polytope {
     }
   };
 
-  template <class Exactly>
+  template <class Exact_axes>
   void add(const Shift_axis& axis, int sign, const Number_point<Interval>& n, const Interval& limit, double radius,
-           double most, const Exactly& exactly)
+           double most, const Exact_axes& axes)
   {
     Half_space h{{}, 0, 0, axis, sign};
     // Upper bound of the error of a product with the rounded normal, for all translations that are asked for.
@@ -151,7 +151,7 @@ class Crossing_polytope {
     if (largest.sup() <= limit.inf()) return;
     if (-largest.inf() > limit.sup() && length.inf() > 0) is_beyond_ = true;
     const bool is_tangent = limit.sup() >= largest.inf() * (1 - tangent);
-    if (is_tangent && exactly.is_outside_ball(axis, sign)) return;
+    if (is_tangent && axes.is_outside_ball(axis, sign)) return;
     half_spaces_.push_back(h);
   }
 

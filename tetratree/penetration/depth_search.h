@@ -172,7 +172,7 @@ class Depth_search {
   };
 
   /// What the exact pieces say of an axis.
-  struct Exactly {
+  struct Exact_axes {
     Depth_search* search;
     Seen_piece *a, *b;
 
@@ -375,7 +375,7 @@ class Depth_search {
   struct Plane {
     std::array<double, 3> normal;
     double limit;
-    Exactly exactly;
+    Exact_axes axes;
     kernel::Shift_axis axis;
     int sign;
   };
@@ -424,7 +424,7 @@ class Depth_search {
                                   for (std::size_t i = 0; i < 3; ++i) off += std::abs(n[i] - other.normal[i]);
                                   return off < same_plane;
                                 });
-            if (is_new) planes.push_back({n, limit, Exactly{this, kept.a, kept.b}, axis, sign});
+            if (is_new) planes.push_back({n, limit, Exact_axes{this, kept.a, kept.b}, axis, sign});
           });
     }
     const auto try_planes = [&](std::initializer_list<const Plane*> chosen) {
@@ -434,7 +434,7 @@ class Depth_search {
       for (std::size_t k = 0; k < 3; ++k)
         if (!v || !(std::abs((*v)[k] - box.centre[k]) <= 2 * box.half[k])) return;
       std::vector<std::pair<kernel::Rational_point, kernel::Rational>> exact;
-      for (const Plane* plane : chosen) exact.push_back(plane->exactly.plane(plane->axis, plane->sign));
+      for (const Plane* plane : chosen) exact.push_back(plane->axes.plane(plane->axis, plane->sign));
       const auto corner = nearest_to_0<kernel::Rational>(exact);
       if (!corner || !corners_.insert(*corner).second) return;
       if (kernel::dot(*corner, *corner) < found_.square && !meet(*corner)) leave(*corner, exit);
@@ -469,7 +469,7 @@ class Depth_search {
   Polytope polytope_of(Seen_piece& a, Seen_piece& b)
   {
     const CGAL::Protect_FPU_rounding<true> upward;
-    return Polytope(a.rounded, b.rounded, a.is_bounded && b.is_bounded, radius_, most_, Exactly{this, &a, &b});
+    return Polytope(a.rounded, b.rounded, a.is_bounded && b.is_bounded, radius_, most_, Exact_axes{this, &a, &b});
   }
 
   /// Returns a polytope, made anew after the ball has shrunk: a new one leaves out the planes that no longer cut it.

@@ -73,8 +73,8 @@ class Bvh8_relation_solver : public Relation_solver {
     if (is_apart(pose_a, pose_b)) return bounds;
     tetratree::Found_contacts found = contacts(pose_a, pose_b);
     if (place_general(pose_a, pose_b, found))
-      if (const auto enclosure = tetratree::enclosed_overlap(exactly().pair.solid(0), exactly().pair.solid(1), found,
-                                                             is_vertex_inside())) {
+      if (const auto enclosure = tetratree::enclosed_overlap(exact_parts().pair.solid(0), exact_parts().pair.solid(1),
+                                                             found, is_vertex_inside())) {
         const auto ends = [](const kernel::Interval& x) { return std::array<double, 2>{x.inf(), x.sup()}; };
         bounds.volume = ends(enclosure->volume);
         for (std::size_t k = 0; k < 3; ++k) bounds.centroid[k] = ends(enclosure->centroid[k]);
@@ -96,7 +96,8 @@ class Bvh8_relation_solver : public Relation_solver {
   {
     std::vector<std::vector<kernel::Rational_point>> parts;
     place(contacts_data(pose_a, pose_b, contacts(pose_a, pose_b)));
-    exactly().pair.for_border_parts([&](const auto& corners) { parts.emplace_back(corners.begin(), corners.end()); });
+    exact_parts().pair.for_border_parts(
+        [&](const auto& corners) { parts.emplace_back(corners.begin(), corners.end()); });
     return parts;
   }
 
@@ -121,7 +122,7 @@ class Bvh8_relation_solver : public Relation_solver {
     if (!interiors_meet(relation_alone(pose_a, pose_b))) return {};
     if (are_convex()) {
       const kernel::Convex_depth least((*convex_)[0], pose_a, (*convex_)[1], pose_b);
-      return told({least.vector(), least.square(), 0, true});
+      return depth_of({least.vector(), least.square(), 0, true});
     }
     if (!depth_search_) {
       const Body_data &a = body_[0]->by_triangles(), &b = body_[1]->by_triangles();
@@ -140,22 +141,22 @@ class Bvh8_relation_solver : public Relation_solver {
       return found;
     };
     const auto meet = [&](const kernel::Rational_point& v) { return meet_after(near.pose[0], near.pose[1], v, 1); };
-    return told(scaled((*depth_search_)(kernel::rows_of(near.pose[0]), kernel::rows_of(near.pose[1]), exit, meet,
-                                        {options.relative, options.budget}),
-                       near.exponent));
+    return depth_of(scaled((*depth_search_)(kernel::rows_of(near.pose[0]), kernel::rows_of(near.pose[1]), exit, meet,
+                                            {options.relative, options.budget}),
+                           near.exponent));
   }
 
   tetratree::Query_statistics statistics() const override
   {
     tetratree::Query_statistics all = collision_.counts();
-    if (exactly_) all += exactly_->contacts.counts();
+    if (exact_parts_) all += exact_parts_->contacts.counts();
     if (exit_search_) all += exit_search_->counts();
     return all;
   }
   void clear_statistics() override
   {
     collision_.clear_counts();
-    if (exactly_) exactly_->contacts.clear_counts();
+    if (exact_parts_) exact_parts_->contacts.clear_counts();
     if (exit_search_) exit_search_->clear_counts();
   }
 
@@ -175,7 +176,7 @@ class Bvh8_relation_solver : public Relation_solver {
   /// Places the solids, and returns true, where they are in general position.
   bool place_general(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const tetratree::Found_contacts& found)
   {
-    Placed_solid &a = exactly().pair.solid(0), &b = exactly().pair.solid(1);
+    Placed_solid &a = exact_parts().pair.solid(0), &b = exact_parts().pair.solid(1);
     if (!tetratree::is_general(a, b, found)) return false;
     a.place(pose_a);
     b.place(pose_b);
@@ -186,8 +187,8 @@ class Bvh8_relation_solver : public Relation_solver {
   {
     tetratree::Solid_overlap found;
     if (place_general(pose_a, pose_b, contacts)) {
-      found.all = tetratree::Crossing_overlap<kernel::Integer_placing>(exactly().pair.solid(0), exactly().pair.solid(1),
-                                                                       contacts, is_vertex_inside())
+      found.all = tetratree::Crossing_overlap<kernel::Integer_placing>(
+                      exact_parts().pair.solid(0), exact_parts().pair.solid(1), contacts, is_vertex_inside())
                       .value();
     } else {
       const Contacts_data data = contacts_data(pose_a, pose_b, std::move(contacts));
@@ -195,7 +196,7 @@ class Bvh8_relation_solver : public Relation_solver {
         found = std::move(*by_limit);
       } else {
         place(data);
-        found = exactly().pair.overlap();
+        found = exact_parts().pair.overlap();
       }
     }
     Overlap overlap;
@@ -220,7 +221,7 @@ class Bvh8_relation_solver : public Relation_solver {
   std::optional<tetratree::Solid_overlap> overlap_by_limit(const Contacts_data& data)
   {
     if (!are_simple()) return std::nullopt;
-    Placed_solid &a = exactly().pair.solid(0), &b = exactly().pair.solid(1);
+    Placed_solid &a = exact_parts().pair.solid(0), &b = exact_parts().pair.solid(1);
     a.place(data.pose_a);
     b.place(data.pose_b);
     const tetratree::Perturbed_contacts perturbed(a, collision_.placed_a(), b, collision_.placed_b(), data.found);
@@ -237,7 +238,7 @@ class Bvh8_relation_solver : public Relation_solver {
   /// Adds the areas where faces of simple solids lie on one another. Each polygon that two faces share is a piece.
   void add_contact(const Contacts_data& data, tetratree::Solid_overlap& overlap)
   {
-    Placed_solid& a = exactly().pair.solid(0);
+    Placed_solid& a = exact_parts().pair.solid(0);
     std::map<Index, kernel::Rational_point> twice;  // by faces of A, along their normals
     for (std::size_t k = 0; k < data.found.pieces.size(); ++k) {
       const tetratree::Found_piece& piece = data.found.pieces[k];
@@ -281,7 +282,7 @@ class Bvh8_relation_solver : public Relation_solver {
     return found;
   }
 
-  static Depth told(const tetratree::Depth_bracket& found)
+  static Depth depth_of(const tetratree::Depth_bracket& found)
   {
     Depth depth;
     const auto [low, high] = kernel::enclosed_root_sum(std::array{found.square});
@@ -339,8 +340,8 @@ class Bvh8_relation_solver : public Relation_solver {
   }
 
   /// The parts that are made when a proper crossing does not decide.
-  struct Exactly {
-    Exactly(const Body_data& a, const Body_data& b)
+  struct Exact_parts {
+    Exact_parts(const Body_data& a, const Body_data& b)
         : contacts(a.bvh8(), a.bvh8().model(), a.polyhedron, b.bvh8(), b.bvh8().model(), b.polyhedron),
           pair(solid(a), solid(b))
     {}
@@ -354,16 +355,16 @@ class Bvh8_relation_solver : public Relation_solver {
     Solid_pair pair;
   };
 
-  Exactly& exactly()
+  Exact_parts& exact_parts()
   {
-    if (!exactly_) exactly_ = std::make_unique<Exactly>(body_[0]->by_triangles(), body_[1]->by_triangles());
-    return *exactly_;
+    if (!exact_parts_) exact_parts_ = std::make_unique<Exact_parts>(body_[0]->by_triangles(), body_[1]->by_triangles());
+    return *exact_parts_;
   }
 
   /// Returns all that the surfaces share.
   tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
   {
-    return exactly().contacts.contacts(pose_a, pose_b);
+    return exact_parts().contacts.contacts(pose_a, pose_b);
   }
 
   /// Returns the largest dimension of a piece; -1 for none.
@@ -393,7 +394,7 @@ class Bvh8_relation_solver : public Relation_solver {
       const tetratree::Found_piece& piece = data.found.pieces[k];
       pieces.push_back({{piece.face_a, piece.face_b}, piece.kind, rational_loops(data, k), piece.by_signs});
     }
-    exactly().pair.place(data.pose_a, data.pose_b, std::move(pieces));
+    exact_parts().pair.place(data.pose_a, data.pose_b, std::move(pieces));
   }
 
   /// Returns the relation where it is `disjoint`, or where the pair of triangles that the query met crosses properly.
@@ -427,7 +428,7 @@ class Bvh8_relation_solver : public Relation_solver {
       if (const auto relation = (*simple_relation_)(found, is_vertex_inside())) return *relation;
     }
     place(contacts_data(pose_a, pose_b, std::move(found)));
-    return exactly().pair.relation();
+    return exact_parts().pair.relation();
   }
 
   tetratree::Simple_relation::Body simple(int body)
@@ -463,7 +464,7 @@ class Bvh8_relation_solver : public Relation_solver {
   std::array<Shared_body, 2> body_;
   tetratree::Bvh8_collision<K> collision_;
   tetratree::Pair_memory memory_;
-  std::unique_ptr<Exactly> exactly_;
+  std::unique_ptr<Exact_parts> exact_parts_;
   std::optional<tetratree::Simple_relation> simple_relation_;
   std::optional<tetratree::Exit_search> exit_search_;
   std::optional<tetratree::Depth_search> depth_search_;
