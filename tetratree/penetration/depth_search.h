@@ -91,9 +91,9 @@ class Depth_search {
 
   /// Returns the bracket. exit(d) returns the `Exit` along d, and meet(v) tells whether v is in P. `map_a` and `map_b`
   /// are the poses as row-major 3x4 matrices. Requires that 0 is in P.
-  template <class Leave, class Meet>
+  template <class Exit_along, class Meet>
   Depth_bracket operator()(const std::array<kernel::Rational, 12>& map_a, const std::array<kernel::Rational, 12>& map_b,
-                           const Leave& exit, const Meet& meet, const Depth_limits& limits)
+                           const Exit_along& exit, const Meet& meet, const Depth_limits& limits)
   {
     solid_[0].see(map_a);
     solid_[1].see(map_b);
@@ -104,7 +104,7 @@ class Depth_search {
       for (const int sign : {1, -1}) {
         kernel::Rational_point axis = {0, 0, 0};
         axis[k] = sign;
-        leave(axis, exit);
+        try_exits(axis, exit);
       }
     found_.is_exact = found_.square == 0;
     boxes_left_ = limits.most_boxes;
@@ -199,10 +199,10 @@ class Depth_search {
     }
   };
 
-  /// Asks for the exit along a direction, and along the normals of the planes that it ends at, as long as that is
+  /// Tries the exit along a direction, and along the normals of the planes that it ends at, as long as that is
   /// shorter. A shorter translation than all before sets the ball's radius, an upper bound of its length.
-  template <class Leave>
-  void leave(kernel::Rational_point direction, const Leave& exit)
+  template <class Exit_along>
+  void try_exits(kernel::Rational_point direction, const Exit_along& exit)
   {
     std::vector<kernel::Rational_point> directions = {std::move(direction)};
     while (!directions.empty()) {
@@ -230,8 +230,8 @@ class Depth_search {
   }
 
   /// Searches the ball of all translations that are shorter than the known one.
-  template <class Leave, class Meet>
-  void search(const Leave& exit, const Meet& meet, const Depth_limits& limits)
+  template <class Exit_along, class Meet>
+  void search(const Exit_along& exit, const Meet& meet, const Depth_limits& limits)
   {
     if (!(radius_ >= 0x1p-200 && radius_ <= 0x1p200)) return;  // beyond what the boxes' numbers can bound
     most_ = std::ldexp(1.0, std::ilogb(radius_) + 1);
@@ -262,9 +262,9 @@ class Depth_search {
       if (closed.reason != Reason::halved) continue;
       if (!proof_ && next.halvings % halvings_a_question == 0 && next.least > 0) {
         const kernel::Rational_point v = kernel::exact_point(next.box.centre);
-        if (kernel::dot(v, v) < found_.square && !meet(v)) leave(v, exit);
+        if (kernel::dot(v, v) < found_.square && !meet(v)) try_exits(v, exit);
         if (next.halvings >= least_halvings && next.halvings % halvings_a_corner == 0)
-          leave_by_corners(next.box, *near, exit, meet);
+          try_corners(next.box, *near, exit, meet);
       }
       const auto axis = std::size_t(std::ranges::max_element(next.box.half) - next.box.half.begin());
       std::uint32_t node = 0;
@@ -407,9 +407,9 @@ class Depth_search {
     return sum;
   }
 
-  /// Asks for exits to the corners, edges and faces of polytopes in a box that are nearest to 0.
-  template <class Leave, class Meet>
-  void leave_by_corners(const Box& box, const Near& near, const Leave& exit, const Meet& meet)
+  /// Tries exits to the corners, edges and faces of polytopes in a box that are nearest to 0.
+  template <class Exit_along, class Meet>
+  void try_corners(const Box& box, const Near& near, const Exit_along& exit, const Meet& meet)
   {
     std::vector<Plane> planes;
     for (const std::uint32_t k : near.polytopes) {
@@ -437,7 +437,7 @@ class Depth_search {
       for (const Plane* plane : chosen) exact.push_back(plane->axes.plane(plane->axis, plane->sign));
       const auto corner = nearest_to_0<kernel::Rational>(exact);
       if (!corner || !corners_.insert(*corner).second) return;
-      if (kernel::dot(*corner, *corner) < found_.square && !meet(*corner)) leave(*corner, exit);
+      if (kernel::dot(*corner, *corner) < found_.square && !meet(*corner)) try_exits(*corner, exit);
     };
     for (std::size_t i = 0; i < planes.size(); ++i) {
       try_planes({&planes[i]});
