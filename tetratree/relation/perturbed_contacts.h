@@ -10,9 +10,9 @@
 #include "tetracone/tetratree/contact/face_pairs.h"
 #include "tetracone/tetratree/relation/crossing_overlap.h"
 #include "tetracone/tetratree/relation/placed_solid.h"
+#include "tetracone/tetratree/relation/simple_relation.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <vector>
 
@@ -42,7 +42,8 @@ class Perturbed_contacts {
   {
     for (int body = 0; body < 2; ++body) is_on_other_[body].assign(solid_[body]->sides().place_count(), false);
     for (const Found_piece& piece : found.pieces) {
-      note_vertices(piece);
+      for (int body = 0; body < 2; ++body)
+        mark_vertices(piece, body, solid_[body]->polyhedron(), solid_[body]->sides(), is_on_other_[body]);
       Found_piece perturbed = piece;  // a crossing segment stays as it is
       if (!is_crossing_segment(piece.by_signs)) perturbed.by_signs = contact(piece);
       if (perturbed.by_signs.count != 0) contacts.pieces.push_back(perturbed);
@@ -56,16 +57,6 @@ class Perturbed_contacts {
 
  private:
   Index vertex(int body, Index f, int k) const { return solid_[body]->polyhedron().loop(f, 0)[std::size_t(k)]; }
-
-  void note_vertices(const Found_piece& piece)
-  {
-    for (int k = 0; k < piece.by_signs.count; ++k) {
-      const auto& [on_p, on_q] = piece.by_signs.corners[std::size_t(k)];
-      if (std::popcount(on_p) == 2) note_vertex(0, vertex(0, piece.face_a, kernel::corner_of(on_p)));
-      if (std::popcount(on_q) == 2) note_vertex(1, vertex(1, piece.face_b, kernel::corner_of(on_q)));
-    }
-  }
-  void note_vertex(int body, Index v) { is_on_other_[body][solid_[body]->sides().place(v)] = true; }
 
   /// Returns what two faces share after the move.
   kernel::Triangle_contact contact(const Found_piece& piece)

@@ -25,6 +25,18 @@ namespace tetracone::tetratree {
 /// rounding mode is to nearest.
 using Is_vertex_inside = std::function<bool(int body, Index v)>;
 
+/// Marks the vertices of a body at which a piece has a corner: they are on the other surface. Each place has a mark.
+inline void mark_vertices(const Found_piece& piece, int body, const covering::Polyhedron& polyhedron,
+                          const Solid_sides& sides, std::vector<bool>& is_on_other)
+{
+  const covering::Loop v = polyhedron.loop(body == 0 ? piece.face_a : piece.face_b, 0);
+  for (int k = 0; k < piece.by_signs.count; ++k) {
+    const auto& [on_p, on_q] = piece.by_signs.corners[std::size_t(k)];
+    const kernel::Edge_set edges = body == 0 ? on_p : on_q;
+    if (std::popcount(edges) == 2) is_on_other[sides.place(v[std::size_t(kernel::corner_of(edges))])] = true;
+  }
+}
+
 /// What the regions of two surfaces tell of their solids, as far as they have been looked at.
 struct Found_regions {
   bool interiors_meet = false;
@@ -167,11 +179,7 @@ class Simple_relation {
     const Contact& contact = piece.by_signs;
     bool& is_cut = faces_[body][own];
     if (contact.count > 2) is_cut = true;  // also where the polygon is the whole face
-    for (int k = 0; k < contact.count; ++k)
-      if (const kernel::Edge_set edges = on(body, contact.corners[k]); std::popcount(edges) == 2) {
-        const Index v = body_[body].polyhedron->loop(own, 0)[std::size_t(kernel::corner_of(edges))];
-        is_on_other_[body][body_[body].sides->place(v)] = true;
-      }
+    mark_vertices(piece, body, *body_[body].polyhedron, *body_[body].sides, is_on_other_[body]);
     if (contact.count == 1) return;
     for (int k = contact.count == 2; k < contact.count; ++k) {
       if (along(body, contact, k) != 0) continue;
