@@ -5,6 +5,7 @@
 #include "tetracone/kernel/contact/crossing_polytope.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/number/nearest_root.h"
+#include "tetracone/tetratree/penetration/heap.h"
 #include "tetracone/tetratree/penetration/inner_balls.h"
 #include "tetracone/tetratree/penetration/seen_solid.h"
 
@@ -249,9 +250,7 @@ class Depth_search {
     std::vector<Open_box> open = {{0, 0, {{0, 0, 0}, {most_, most_, most_}}, std::move(all)}};
     const auto is_later = [](const Open_box& x, const Open_box& y) { return x.least > y.least; };
     while (!open.empty()) {
-      std::ranges::pop_heap(open, is_later);
-      const Open_box next = std::move(open.back());
-      open.pop_back();
+      const Open_box next = pop_from(open, is_later);
       found_.least = kernel::maximum(found_.least, next.least);
       const bool is_small = proof_ && next.halvings == most_halvings_of_proof;
       if (next.least >= radius_ * (1 - limits.relative) || boxes_left_ == 0 || is_small) return;
@@ -279,8 +278,7 @@ class Depth_search {
         part.box.centre[axis] += side * part.box.half[axis];
         part.least = kernel::maximum(next.least, part.box.least_length());
         if (part.least > radius_) continue;
-        open.push_back(std::move(part));
-        std::ranges::push_heap(open, is_later);
+        push_to(open, std::move(part), is_later);
       }
     }
     found_.least = kernel::nearest_root(found_.square);

@@ -4,6 +4,7 @@
 #include "tetracone/kernel/bound/view_box.h"
 #include "tetracone/kernel/contact/shift_range.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/tetratree/penetration/heap.h"
 #include "tetracone/tetratree/penetration/seen_solid.h"
 #include "tetracone/tetratree/query_statistics.h"
 
@@ -257,21 +258,6 @@ class Exit_search {
     }
   }
 
-  template <class T, class Compare>
-  static void push_to(std::vector<T>& heap, const T& x, const Compare& is_after)
-  {
-    heap.push_back(x);
-    std::ranges::push_heap(heap, is_after);
-  }
-  template <class T, class Compare>
-  static T pop_from(std::vector<T>& heap, const Compare& is_after)
-  {
-    std::ranges::pop_heap(heap, is_after);
-    const T x = heap.back();
-    heap.pop_back();
-    return x;
-  }
-
   /// The pairs of pieces that `largest_high` looks at.
   struct Pair_choice {
     bool plain_only;  // pairs of plain triangles alone
@@ -411,30 +397,19 @@ class Exit_search {
   void search(const Key& key, const Limit& limit, const Compare& compare)
   {
     queue_.clear();
-    push({Box_id(), Box_id()}, solid_[0].box({}), solid_[1].box({}), key);
     const auto is_later = [](const Pair& x, const Pair& y) { return x.key > y.key; };
+    const auto add = [&](const Box_ids& box, const kernel::View_box& a, const kernel::View_box& b) {
+      ++counts_.box_tests;
+      if (!a.may_cover(b)) return;
+      if (const std::optional<double> at = key(a, b)) push_to(queue_, {*at, box}, is_later);
+    };
+    add({Box_id(), Box_id()}, solid_[0].box({}), solid_[1].box({}));
     while (!queue_.empty()) {
-      std::ranges::pop_heap(queue_, is_later);
-      const Pair pair = queue_.back();
-      queue_.pop_back();
+      const Pair pair = pop_from(queue_, is_later);
       if (pair.key > limit()) break;
       ++counts_.pairs_visited;
-      const auto add = [&](const Box_ids& closer, const kernel::View_box& a, const kernel::View_box& b) {
-        if (push(closer, a, b, key)) std::ranges::push_heap(queue_, is_later);
-      };
       open(pair.box, add, compare);
     }
-  }
-
-  /// Adds a pair of boxes that may share a place in the view. False where `key` leaves it out, or they share none.
-  template <class Key>
-  bool push(const Box_ids& box, const kernel::View_box& a, const kernel::View_box& b, const Key& key)
-  {
-    ++counts_.box_tests;
-    if (!a.may_cover(b)) return false;
-    const std::optional<double> at = key(a, b);
-    if (at) queue_.push_back({*at, box});
-    return at.has_value();
   }
 
   /// Opens a pair of boxes, and counts the work.
