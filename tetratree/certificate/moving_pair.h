@@ -4,7 +4,6 @@
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/tetratree/certificate/placed_pair.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>

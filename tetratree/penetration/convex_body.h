@@ -7,7 +7,6 @@
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -13,7 +13,6 @@
 
 #include <CGAL/gmpxx.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>

@@ -11,6 +11,7 @@
 #include "tetracone/tetratree/query/bvh8_contacts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <map>
 #include <span>
