@@ -1,4 +1,4 @@
-// Certificates of relations, exits, depths and first contacts. Those that have no proof are left out.
+// Certificates of relations, exits and depths. Those that have no proof are left out.
 
 #include "tetracone/tetratree/certificate/approach.h"
 #include "tetracone/tetratree/certificate/certificate_data.h"
@@ -149,50 +149,6 @@ bool Certificate::depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, 
       tetratree::Lower_bound bound(pair, bodies);
       bound(text, v, answer.is_exact ? 0 : 1 - answer.low / answer.high);
     }
-    return true;
-  });
-}
-
-bool Certificate::first_contact(const Motion& a, const Motion& b, Question question,
-                                const std::optional<First_contact>& answer)
-{
-  return data_->add(Data::begin("motion"), [&](std::string& text) {
-    kernel::require_sound_floating_point();
-    add_key(text, "question");
-    text += tetratree::json_text(kernel::to_string(question));
-    for (const auto& [name, motion] : {std::pair("a", &a.exact()), std::pair("b", &b.exact())})
-      for (std::size_t k = 0; k < 2; ++k) {
-        const std::string key = std::string(k == 0 ? "from_" : "to_") + name;
-        if (motion->ends())
-          tetratree::add_pose(text, key, (*motion->ends())[k]);
-        else
-          tetratree::add_rigid_pose(text, key, motion->rigid_ends()[k]);
-      }
-    add_key(text, "answer");
-    if (answer)
-      tetratree::add_list(text, std::array{answer->lo, answer->hi},
-                          [](double t) { return tetratree::json_text(kernel::shortest(t)); });
-    else
-      text += "null";
-    tetratree::Moving_pair moving(data_->groups(), {a.exact(), b.exact()});
-    if (answer) {
-      std::string witness = "{";
-      if (cover_or_meet(witness, moving.at(answer->hi))) {
-        // The witness is the only key; its time stands first in it.
-        const std::string key = "\"witness\":{";
-        text += ",\"witness\":{\"time\":" + tetratree::json_text(kernel::to_string(Rational(answer->hi))) + "," +
-                witness.substr(1 + key.size());
-      } else if (answer->hi != 0 ||
-                 !(add_one_winding(text, moving.at(0), 0) || add_one_winding(text, moving.at(0), 1))) {
-        return false;
-      }
-      if (answer->hi == 0) return true;
-    }
-    tetratree::Motion_cover cover(moving, answer ? answer->lo : 1, answer && answer->lo == answer->hi);
-    if (!cover()) return false;
-    add_cover(text, cover.cover());
-    if (question == Question::solid && !add_all_windings(text, moving.at(0)))
-      tetratree::fail_proof("the answer is not proved: shells");
     return true;
   });
 }
