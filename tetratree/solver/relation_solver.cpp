@@ -474,13 +474,6 @@ class Bvh8_relation_solver : public Relation_solver {
 
 }  // namespace
 
-const tetratree::Solid_sides& Body_data::solid_sides() const
-{
-  std::call_once(solid_sides_once_,
-                 [this] { solid_sides_ = std::make_shared<const tetratree::Solid_sides>(bvh8(), polyhedron); });
-  return *solid_sides_;
-}
-
 std::unique_ptr<Relation_solver> relation_solver(const std::shared_ptr<const Body_data>& a,
                                                  const std::shared_ptr<const Body_data>& b)
 {
