@@ -46,6 +46,12 @@ class Relation_solver {
   virtual void clear_statistics() = 0;
 };
 
+/// True when solids with this relation have interiors that share a point.
+inline bool interiors_meet(kernel::Solid_relation relation)
+{
+  return relation != kernel::Solid_relation::disjoint && relation != kernel::Solid_relation::meet;
+}
+
 /// Makes the solver of two bodies.
 std::unique_ptr<Relation_solver> relation_solver(const std::shared_ptr<const Body_data>& a,
                                                  const std::shared_ptr<const Body_data>& b);

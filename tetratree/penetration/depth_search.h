@@ -31,6 +31,22 @@ struct Depth_bracket {
   kernel::Rational square = 0;                ///< its squared length, an upper bound of the least squared length
   double least = 0;                           ///< lower bound of the length of every translation that parts them
   bool is_exact = true;                       ///< no shorter translation parts them
+
+  /// True when it is exact, or its width is at most `relative` times its upper end, as far as doubles tell.
+  bool is_as_narrow_as(double relative) const
+  {
+    const double high = kernel::enclosed_root_sum(std::array{square})[1];
+    return is_exact || high - least <= relative * high;
+  }
+
+  /// Takes the bounds of another bracket of the same translations where they are nearer.
+  void narrow(const Depth_bracket& other)
+  {
+    least = kernel::maximum(least, other.least);
+    if (is_exact || !(other.square < square)) return;
+    square = other.square;
+    vector = other.vector;
+  }
 };
 
 /// The boxes of a search: why none of them has a translation that parts the solids and is shorter than the lower bound.

@@ -5,7 +5,6 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/contacts_data.h"
-#include "tetracone/tetratree/penetration/convex_body.h"
 #include "tetracone/tetratree/penetration/depth_search.h"
 #include "tetracone/tetratree/penetration/exit_search.h"
 #include "tetracone/tetratree/penetration/near_origin.h"
@@ -17,6 +16,7 @@
 #include "tetracone/tetratree/relation/simple_relation.h"
 #include "tetracone/tetratree/relation/solid_pair.h"
 #include "tetracone/tetratree/relation/solid_sides.h"
+#include "tetracone/tetratree/solver/convex_depths.h"
 
 #include <algorithm>
 #include <array>
@@ -120,10 +120,10 @@ class Bvh8_relation_solver : public Relation_solver {
   Depth depth(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const Depth_options& options) override
   {
     if (!interiors_meet(relation_alone(pose_a, pose_b))) return {};
-    if (are_convex()) {
-      const kernel::Convex_depth least((*convex_)[0], pose_a, (*convex_)[1], pose_b);
-      return depth_of({least.vector(), least.square(), 0, true});
-    }
+    const tetratree::Near_origin near = near_origin(pose_a, pose_b);
+    if (!convex_depths_) convex_depths_.emplace(body_);
+    const auto by_convex = (*convex_depths_)(near.pose[0], near.pose[1]);
+    if (by_convex && by_convex->is_as_narrow_as(options.relative)) return depth_of(scaled(*by_convex, near.exponent));
     if (!depth_search_) {
       const Body_data &a = body_[0]->by_triangles(), &b = body_[1]->by_triangles();
       const auto inner = [](const Body_data& body) {
@@ -131,7 +131,6 @@ class Bvh8_relation_solver : public Relation_solver {
       };
       depth_search_.emplace(seen(a), seen(b), inner(a), inner(b));
     }
-    const tetratree::Near_origin near = near_origin(pose_a, pose_b);
     const auto exit = [&](const kernel::Rational_point& direction) {
       const kernel::Direction_view view(direction);
       const kernel::Rational first = exit_heights(near.pose[0], near.pose[1], direction, view).first / view.height();
@@ -141,9 +140,10 @@ class Bvh8_relation_solver : public Relation_solver {
       return found;
     };
     const auto meet = [&](const kernel::Rational_point& v) { return meet_after(near.pose[0], near.pose[1], v, 1); };
-    return depth_of(scaled((*depth_search_)(kernel::rows_of(near.pose[0]), kernel::rows_of(near.pose[1]), exit, meet,
-                                            {options.relative, options.budget}),
-                           near.exponent));
+    tetratree::Depth_bracket found = (*depth_search_)(kernel::rows_of(near.pose[0]), kernel::rows_of(near.pose[1]),
+                                                      exit, meet, {options.relative, options.budget});
+    if (by_convex) found.narrow(*by_convex);
+    return depth_of(scaled(std::move(found), near.exponent));
   }
 
   tetratree::Query_statistics statistics() const override
@@ -260,11 +260,6 @@ class Bvh8_relation_solver : public Relation_solver {
     }
   }
 
-  static bool interiors_meet(Solid_relation relation)
-  {
-    return relation != Solid_relation::disjoint && relation != Solid_relation::meet;
-  }
-
   tetratree::Near_origin near_origin(const kernel::Pose& pose_a, const kernel::Pose& pose_b) const
   {
     return tetratree::near_origin(pose_a, body_[0]->by_triangles().bvh8().scale(), pose_b);
@@ -292,22 +287,6 @@ class Bvh8_relation_solver : public Relation_solver {
     depth.exact_square = kernel::to_string(found.square);
     for (std::size_t k = 0; k < 3; ++k) write(found.vector[k], depth.vector[k], depth.exact_vector[k]);
     return depth;
-  }
-
-  /// True where both solids are convex. Then `convex_` has them.
-  bool are_convex()
-  {
-    if (!are_convex_) {
-      are_convex_ = std::ranges::all_of(body_, [](const Shared_body& body) {
-        const Body_data& triangles = body->by_triangles();
-        return tetratree::is_known_convex(triangles.polyhedron, triangles.solid_sides());
-      });
-      const auto solid = [](const Body_data& body) {
-        return tetratree::convex_solid(body.polyhedron, body.solid_sides());
-      };
-      if (*are_convex_) convex_ = {solid(body_[0]->by_triangles()), solid(body_[1]->by_triangles())};
-    }
-    return *are_convex_;
   }
 
   /// True when the interiors share a point after A has moved by s d.
@@ -468,8 +447,7 @@ class Bvh8_relation_solver : public Relation_solver {
   std::optional<tetratree::Simple_relation> simple_relation_;
   std::optional<tetratree::Exit_search> exit_search_;
   std::optional<tetratree::Depth_search> depth_search_;
-  std::optional<bool> are_convex_;
-  std::optional<std::array<kernel::Convex_solid, 2>> convex_;
+  std::optional<Convex_depths> convex_depths_;
 };
 
 }  // namespace

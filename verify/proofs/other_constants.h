@@ -47,6 +47,7 @@ inline std::vector<Other_constant> other_constants()
       {"kernel/contact/crossing_polytope.h", "tangent", choice, "from where on fractions decide"},
       {"tetratree/penetration/near_origin.h", "much", choice, "which translations are taken off"},
       {"tetratree/penetration/inner_balls.h", "least_share", choice, "which balls stand for a solid"},
+      {"tetratree/penetration/convex_bounds.h", "most_lacking", choice, "which solids are taken as nearly convex"},
       {"tetratree/penetration/depth_search.h", "same_plane", choice, "which planes are tried for corners"},
       {"tetratree/penetration/depth_search.h", "pairs_a_box", choice, "when pairs of boxes are opened"},
       {"tetratree/certificate/group_hull.h", "least", gate, "with smaller numbers all corners are multiplied exactly"},
