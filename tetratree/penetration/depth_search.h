@@ -81,8 +81,8 @@ struct Depth_limits {
 /// that are not in P, the shortest of which is the upper bound. The lower bound comes from boxes of translations,
 /// nearest to 0 first. A box is done where the shortest translation that is not in P is not in it:
 ///
-/// - A ball inside A overlaps a ball inside B for all translations of the box. One of the two stands for its body. The
-///   other is the largest about the first one's centre (`Inner_balls`). Or a ball inside one body holds a border point
+/// - A ball inside A overlaps a ball inside B for all translations of the box. One of the two stands for its body, or is
+///   found beside near faces. The other is the largest about the first one's centre (`Inner_balls`). Or a ball inside one body holds a border point
 ///   of the other, and inner points of that body are arbitrarily near (`Inner_balls::is_border`).
 /// - Two pieces, as of `Seen_solid`, cross for all translations inside their `Crossing_polytope`; so these are in P.
 /// - No two pieces meet for any translation of the box. The shortest translation that is not in P is on the border of
@@ -125,6 +125,7 @@ class Depth_search {
       }
     found_.is_exact = found_.square == 0;
     boxes_left_ = limits.most_boxes;
+    first_place_ = 0;
     inner_[0].see(map_a);
     inner_[1].see(map_b);
     search(exit, meet, limits);
@@ -277,7 +278,9 @@ class Depth_search {
       if (closed.reason != Reason::halved) continue;
       if (!proof_ && next.halvings % halvings_a_question == 0 && next.least > 0) {
         const kernel::Rational_point v = kernel::exact_point(next.box.centre);
-        if (kernel::dot(v, v) < found_.square && !meet(v)) try_exits(v, exit);
+        const bool is_shorter = kernel::dot(v, v) < found_.square, is_in_p = !is_shorter || meet(v);
+        if (!is_in_p) try_exits(v, exit);
+        if (is_shorter && is_in_p && next.halvings >= halvings_before_balls) find_ball(next.box, *near);
         if (next.halvings >= least_halvings && next.halvings % halvings_a_corner == 0)
           try_corners(next.box, *near, exit, meet);
       }
@@ -383,6 +386,62 @@ class Depth_search {
     }
     about = inner_[!of_b].radius_about(at);
     return ball.radius + about - magnitude * kernel::few_roundings;
+  }
+
+  /// Adds the largest of some balls of A that overlap B for the box's centre, if there is one. The others stand for
+  /// whole bodies, and miss thin overlaps. Where faces of both bodies lie in a plane, no two pieces cross there.
+  ///
+  /// The balls are beside places where pieces come near one another, on both sides of each piece.
+  void find_ball(const Box& box, Near& near)
+  {
+    const double half_diagonal = std::hypot(box.half[0], box.half[1], box.half[2]);
+    const auto unit = [](std::array<double, 3> d) {
+      const double length = std::hypot(d[0], d[1], d[2]);
+      for (double& x : d) x /= length;
+      return d;
+    };
+    double best = 0;
+    std::optional<Ball> found;
+    const std::size_t all = near.polytopes.size(), places = kernel::minimum(all, most_places);
+    for (std::size_t n = 0; n < places && !(best > enough * half_diagonal); ++n) {
+      const Kept_polytope& polytope = polytopes_[near.polytopes[(first_place_ + n * all / places) % all]];
+      const kernel::Rounded_piece &a = polytope.a->rounded, &b = polytope.b->rounded;
+      std::array<double, 3> place;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto in_order = [k](const auto& x, const auto& y) { return x[k] < y[k]; };
+        const auto [low_a, high_a] = std::minmax_element(a.corner.begin(), a.corner.begin() + a.count, in_order);
+        const auto [low_b, high_b] = std::minmax_element(b.corner.begin(), b.corner.begin() + b.count, in_order);
+        place[k] = (kernel::maximum((*low_a)[k] + box.centre[k], (*low_b)[k]) +
+                    kernel::minimum((*high_a)[k] + box.centre[k], (*high_b)[k])) /
+                   2;
+      }
+      const auto normal = [&](const kernel::Rounded_piece& piece) {
+        return unit(kernel::cross(kernel::difference(piece.corner[1], piece.corner[0]),
+                                  kernel::difference(piece.corner[2], piece.corner[0])));
+      };
+      const auto of_a = normal(a), of_b = normal(b);
+      for (const int side : {0, 1, 2, 3}) {
+        std::array<double, 3> way;
+        for (std::size_t k = 0; k < 3; ++k) way[k] = (side & 1 ? of_a[k] : -of_a[k]) + (side & 2 ? of_b[k] : -of_b[k]);
+        way = unit(way);
+        for (double step = most_ / 2; step > half_diagonal; step /= 2) {
+          Ball ball{};
+          std::array<double, 3> in_b;
+          for (std::size_t k = 0; k < 3; ++k) {
+            in_b[k] = place[k] + step * way[k];
+            ball.centre[k] = in_b[k] - box.centre[k];
+          }
+          const double about = inner_[1].radius_about(in_b);
+          if (!(about > 0)) continue;
+          ball.radius = inner_[0].radius_about(ball.centre);
+          if (!(ball.radius > 0 && ball.radius + about > best)) continue;
+          best = ball.radius + about;
+          found = ball;
+        }
+      }
+    }
+    ++first_place_;
+    if (found) near.balls.push_back({false, *found});
   }
 
   /// A plane at which a polytope ends.
@@ -503,6 +562,11 @@ class Depth_search {
   static constexpr unsigned least_halvings = 18;
   /// Halvings of a box between two such tries.
   static constexpr unsigned halvings_a_corner = 9;
+  /// Halvings of a box before balls are found for it.
+  static constexpr unsigned halvings_before_balls = 9;
+  /// The most places beside which balls are found, and the overlap, in half diagonals of the box, that is enough.
+  static constexpr std::size_t most_places = 12;
+  static constexpr double enough = 4;
   /// The most planes whose corners are tried in a box.
   static constexpr std::size_t most_planes = 8;
   /// The most halvings of a box in a proof. Its sides are 2^-32 of the first one's then.
@@ -527,6 +591,7 @@ class Depth_search {
   unsigned round_ = 0;  // how often the radius has been set
   Depth_bracket found_;
   std::size_t boxes_left_ = 0;
+  std::size_t first_place_ = 0;   // the number of the polytope that the next search of balls begins with
   Depth_proof* proof_ = nullptr;  // that is filled; null for a bracket alone
 };
 

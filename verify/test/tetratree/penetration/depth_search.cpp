@@ -6,6 +6,7 @@
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/penetration/near_origin.h"
+#include "verify/cases/lego.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/exit_truth.h"
 
@@ -322,6 +323,30 @@ BOOST_AUTO_TEST_CASE(what_is_no_width_is_refused)
   Query query{Body(scenes::unit_cube()), Body(scenes::unit_cube())};
   for (const double relative : {-1.0, 1.0, double(NAN)})
     BOOST_CHECK_THROW(query.depth(Pose(), Pose(), {relative}), tetracone::Error);
+}
+
+BOOST_AUTO_TEST_CASE(brackets_of_aligned_bodies_of_cells_get_narrow)
+{
+  namespace lego = tetracone::verify::lego;
+  int wide = 0;
+  constexpr int pairs = 6;
+  for (int n = 1; n <= pairs; ++n) {
+    tetracone::verify::Random random(n);
+    lego::Bricks a(1), b(1);
+    for (const lego::Cell& cell : lego::block({0, 0, 0}, {3, 3, 3})) {
+      if (random.symmetric() > -0.2) a[0].cells.insert(cell);
+      if (random.symmetric() > -0.2) b[0].cells.insert(cell);
+    }
+    const lego::Cell offset = {int(2 * random.symmetric()), int(2 * random.symmetric()), int(2 * random.symmetric())};
+    Query query{Body(lego::solid(a, {}, random)), Body(lego::solid(b, {}, random))};
+    const Pose moved = Pose::translation(offset[0] / 2.0, offset[1] / 2.0, offset[2] / 2.0);
+    const Depth depth = checked(query, Pose(), moved, {1e-9, 1000});
+    const Rational truth = lego::squared_depth(a, b, offset);
+    BOOST_TEST(Rational(depth.low) * Rational(depth.low) <= truth);
+    BOOST_TEST(Rational(depth.high) * Rational(depth.high) >= truth);
+    wide += depth.high - depth.low > 0.1 * depth.high;
+  }
+  BOOST_TEST(wide <= pairs / 3);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
