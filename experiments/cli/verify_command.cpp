@@ -325,7 +325,8 @@ void run_verify(const CLI::App& command, Verify_options options)
   choose_sizes(options, campaign);
   choose_subjects(options, campaign);
   refuse_idle_words(options, campaign);
-  campaign.made_by = {TETRACONE_VERSION, compiler(), compiler_flags(), processor(), campaign_words(command, options)};
+  again() = campaign_words(command, options);
+  campaign.made_by = {TETRACONE_VERSION, compiler(), compiler_flags(), processor(), again()};
 
   const std::filesystem::path db = options.db;
   std::error_code error;
