@@ -424,7 +424,8 @@ class Depth_search {
         std::array<double, 3> way;
         for (std::size_t k = 0; k < 3; ++k) way[k] = (side & 1 ? of_a[k] : -of_a[k]) + (side & 2 ? of_b[k] : -of_b[k]);
         way = unit(way);
-        for (double step = most_ / 2; step > half_diagonal; step /= 2) {
+        for (int halved = 1; std::ldexp(most_, -halved) > half_diagonal; ++halved) {
+          const double step = std::ldexp(most_, -halved);
           Ball ball{};
           std::array<double, 3> in_b;
           for (std::size_t k = 0; k < 3; ++k) {
