@@ -21,13 +21,13 @@ inline std::optional<int> add_winding(std::string& text, Covered_body& body, con
   kernel::Hull_points point{x};
   kernel::round_together(point, body.points);
   kernel::Rounded_vector sum{};
-  double count = 0;
+  double corners = 0;
   body.hull({}).for_few([&](std::uint32_t v) {
     sum = kernel::sum(sum, body.points.rounded(v));
-    ++count;
+    ++corners;
   });
   kernel::Rounded_vector way = point.rounded(0);
-  for (std::size_t c = 0; c < 3; ++c) way[c] -= sum[c] / count;
+  for (std::size_t c = 0; c < 3; ++c) way[c] -= sum[c] / corners;
   constexpr int most_rays = 60;
   bool lacks_triangles = false;
   for (int k = 0; k < most_rays; ++k) {

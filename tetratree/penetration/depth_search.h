@@ -81,9 +81,10 @@ struct Depth_limits {
 /// that are not in P, the shortest of which is the upper bound. The lower bound comes from boxes of translations,
 /// nearest to 0 first. A box is done where the shortest translation that is not in P is not in it:
 ///
-/// - A ball inside A overlaps a ball inside B for all translations of the box. One of the two stands for its body, or is
-///   found beside near faces. The other is the largest about the first one's centre (`Inner_balls`). Or a ball inside one body holds a border point
-///   of the other, and inner points of that body are arbitrarily near (`Inner_balls::is_border`).
+/// - A ball inside A overlaps a ball inside B for all translations of the box. One of the two stands for its body, or
+///   is found beside near faces. The other is the largest about the first one's centre (`Inner_balls`). Or a ball
+///   inside one body holds a border point of the other, and inner points of that body are arbitrarily near
+///   (`Inner_balls::is_border`).
 /// - Two pieces, as of `Seen_solid`, cross for all translations inside their `Crossing_polytope`; so these are in P.
 /// - No two pieces meet for any translation of the box. The shortest translation that is not in P is on the border of
 ///   P, since 0 is in P. There the surfaces touch.
