@@ -21,7 +21,7 @@ namespace tetracone::kernel {
 /// The convex hull of points, in triangles. Exact signs decide which side of a triangle a point is on, so the hull is
 /// exactly that of the points, and exactly convex.
 ///
-/// A point outside of a triangle takes the place of all triangles that it is outside of. The farthest one comes first,
+/// Triangles from a point to their border take the place of all that it is outside of. The farthest point comes first,
 /// as doubles tell. Points in a triangle's plane are not outside of it. Source: Barber, Dobkin and Huhdanpaa, The
 /// Quickhull algorithm for convex hulls, ACM Transactions on Mathematical Software 22 (1996).
 class Convex_hull {

@@ -27,12 +27,15 @@ inline std::vector<std::vector<Index>> triangles_of_planes(const covering::Polyh
   return covering::grouped_faces(polyhedron.face_count(), planes, std::identity());
 }
 
+/// The most pairs of a plane and a corner of a solid that is taken as convex. The time of its depths grows with their
+/// number.
+inline constexpr std::size_t most_pairs_of_convex = 20'000'000;
+
 /// True only if the solid is convex, and no face lies inside it. Then each triangle parts the solid from its outside,
 /// and no two corners are on different sides of a plane. False also where there are more pairs of a plane and a corner
-/// than `most_pairs`.
+/// than `most_pairs_of_convex`.
 inline bool is_known_convex(const covering::Polyhedron& polyhedron, const Solid_sides& sides)
 {
-  constexpr std::size_t most_pairs = 20'000'000;
   using K = kernel::Adaptive;
   if (!sides.is_simple()) return false;
   std::vector<K::Point_3> corners;
@@ -45,7 +48,7 @@ inline bool is_known_convex(const covering::Polyhedron& polyhedron, const Solid_
       is_used[sides.place(v)] = true;
     }
   const auto planes = triangles_of_planes(polyhedron, sides);
-  if (planes.size() * corners.size() > most_pairs) return false;
+  if (planes.size() * corners.size() > most_pairs_of_convex) return false;
   for (const std::vector<Index>& plane : planes) {
     const covering::Loop t = polyhedron.loop(plane.front(), 0);
     const auto at = [&](std::size_t k) { return K::unmoved(polyhedron.vertices[t[k]]); };

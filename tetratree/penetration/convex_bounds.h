@@ -4,6 +4,7 @@
 #include "tetracone/covering/covering.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/contact/convex_hull.h"
+#include "tetracone/tetratree/penetration/convex_body.h"
 
 #include <algorithm>
 #include <array>
@@ -60,8 +61,9 @@ struct Convex_bounds {
   covering::Polyhedron outer, inner;
 };
 
-/// Returns bounds of a solid of triangles; nothing where it is far from convex. lies_in(inner) tells whether the solid
-/// holds another one.
+/// Returns bounds of a solid of triangles; nothing where it is far from convex. Nor are there bounds where the hull has
+/// more pairs of a triangle and a corner than `most_pairs_of_convex`. lies_in(inner) tells whether the solid holds
+/// another one.
 ///
 /// The inner one is the hull, made smaller about a point in it, by as little as is enough.
 template <class Lies_in>
@@ -78,7 +80,7 @@ std::optional<Convex_bounds> convex_bounds(const covering::Polyhedron& solid, co
   for (std::size_t v = 0; v < is_corner.size(); ++v)
     if (is_corner[v]) corners.push_back(solid.vertices[v]);
   auto outer = hull_of(corners);
-  if (!outer) return std::nullopt;
+  if (!outer || outer->face_count() * outer->vertices.size() > most_pairs_of_convex) return std::nullopt;
   covering::Vertex centre{};
   for (const covering::Vertex& v : outer->vertices)
     for (std::size_t k = 0; k < 3; ++k) centre[k] += v[k] / double(outer->vertices.size());

@@ -36,7 +36,7 @@ struct Depth_bracket {
   bool is_as_narrow_as(double relative) const
   {
     const double high = kernel::enclosed_root_sum(std::array{square})[1];
-    return is_exact || high - least <= relative * high;
+    return is_exact || (high < HUGE_VAL && high - least <= relative * high);
   }
 
   /// Takes the bounds of another bracket of the same translations where they are nearer.
