@@ -18,19 +18,14 @@ namespace tetracone::covering {
 /// negative). The other numbers must be integers or missing; they are not used. Throws Input_error for any other word.
 inline std::int64_t obj_corner(const Text_lines& lines, std::string_view corner)
 {
-  const auto integer = [](std::string_view word, std::int64_t& value) {
-    const char* const end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars(word.data(), end, value);
-    return rest == end && error == std::errc();
-  };
   std::int64_t vertex = 0;
   std::string_view rest = corner;
   for (int field = 0; field < 3; ++field) {
     const std::size_t slash = std::min(rest.find('/'), rest.size());
     const std::string_view word = rest.substr(0, slash);
-    std::int64_t value = 0;
-    if (!(integer(word, value) || (field > 0 && word.empty()))) break;
-    if (field == 0) vertex = value;
+    const auto value = parse_integer<std::int64_t>(word);
+    if (!value && (field == 0 || !word.empty())) break;
+    if (field == 0) vertex = *value;
     if (slash == rest.size()) return vertex;
     rest.remove_prefix(slash + 1);
   }
@@ -135,6 +130,130 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
   vertices.push_back(vertex);
 }
 
+/// A reader of an OBJ text. Its functions throw Input_error.
+class Obj_scan {
+ public:
+  Obj_scan(const std::string& file, std::string_view text) : lines_(file, text, '\0') {}
+
+  /// Returns what the text holds. Requires that it is called once.
+  Scan operator()()
+  {
+    if (statements_.next() && !take_counts()) add_statement();
+    while (statements_.next()) add_statement();
+    if (statements_.continued()) scan_.cgal_knows = false;
+    free_form_.note("free-form surfaces are left out", scan_.notes);
+    statements_.kept().note("lines behind one that ends in a backslash are read as statements of their own",
+                            scan_.notes);
+    need_vertices_ahead();
+    need_counts();
+    if (lines_.line() == 0) lines_.fail("the file is empty", "expected vertices and faces");
+    finish(scan_);
+    return std::move(scan_);
+  }
+
+ private:
+  /// Takes the current statement as the counts of vertices and faces, if it is two integers.
+  bool take_counts()
+  {
+    if (words_.size() != 2) return false;
+    const auto vertices = parse_count(words_[0]), faces = parse_count(words_[1]);
+    if (!vertices || !faces) return false;
+    counts_ = {*vertices, *faces};
+    scan_.cgal_knows = false;
+    return true;
+  }
+
+  void add_statement()
+  {
+    if (words_[0] == "v")
+      add_obj_vertex(lines_, words_, scan_);
+    else if (is_obj_geometry(words_[0]))
+      add_obj_face();
+    else
+      skip(words_[0]);
+  }
+
+  void add_obj_face()
+  {
+    if (words_[0] != "f") scan_.cgal_knows = false;
+    need_corners(lines_, words_.size() - 1, 1);
+    if (words_[0] == "q" && words_.size() != 5)
+      lines_.fail("a face q of " + std::to_string(words_.size() - 1) + " corners", "expected 4");
+    loop_.clear();
+    for (std::size_t k = 1; k < words_.size(); ++k) loop_.push_back(vertex(obj_corner(lines_, words_[k])));
+    // CGAL skips from an index to the next blank: any other white space hides the indices behind it.
+    const std::string_view first = lines_.words().front(), last = lines_.words().back();
+    const std::string_view row(first.data(), last.data() + last.size() - first.data());
+    if (row.find_first_of("\t\r\v\f") != std::string_view::npos) scan_.cgal_knows = false;
+    add_face(scan_, loop_, [&] { return at_line(lines_); });
+  }
+
+  /// Returns the vertex that a corner names, and records one that comes later.
+  Index vertex(std::int64_t corner)
+  {
+    const auto so_far = static_cast<std::int64_t>(scan_.soup.vertices.size());
+    const std::int64_t index = corner > 0 ? corner - 1 : so_far + corner;
+    if (corner == 0 || index < 0 || index > std::numeric_limits<std::int32_t>::max())
+      lines_.fail("vertex index " + std::to_string(corner) + " after " + std::to_string(so_far) + " vertices",
+                  "expected an index from 1, or from -1 down to the first vertex");
+    if (index >= so_far && (ahead_.empty() || ahead_.back().second < index)) ahead_.emplace_back(lines_.line(), index);
+    return static_cast<Index>(index);
+  }
+
+  /// Skips a statement that is no vertex and no face, or refuses an unknown one.
+  void skip(std::string_view statement)
+  {
+    constexpr std::array skipped = {
+        "vt",       "vn",     "vp",   "bevel", "lod",      "ctech",  "c_interp",   "usemap",    "usemtl",   "stech",
+        "d_interp", "mtllib", "o",    "g",     "s",        "p",      "shadow_obj", "cstype",    "deg",      "step",
+        "bmat",     "con",    "curv", "curv2", "parm",     "trim",   "hole",       "trace_obj", "scrv",     "sp",
+        "end",      "surf_1", "q0_1", "q1_1",  "curv2d_1", "surf_2", "q0_2",       "q1_2",      "curv2d_2", "cdc"};
+    constexpr std::array surfaces = {"surf", "bsp", "bzp", "cdp", "res"};
+    constexpr std::array unknown_to_cgal = {"l", "call", "csh", "maplib", "mg"};
+    const auto is_one_of = [&](const auto& names) { return std::ranges::find(names, statement) != names.end(); };
+    if (is_one_of(surfaces))
+      free_form_.add(at_line(lines_));
+    else if (is_one_of(unknown_to_cgal))
+      scan_.cgal_knows = false;
+    else if (!is_one_of(skipped))
+      lines_.fail(in_quotes(statement) + " as statement", "expected v, f or another statement of the format");
+  }
+
+  /// Refuses an index that no vertex has had in the end.
+  void need_vertices_ahead() const
+  {
+    const std::size_t vertices = scan_.soup.vertices.size();
+    for (const auto& [line, index] : ahead_)
+      if (index >= static_cast<std::int64_t>(vertices))
+        throw Input_error(
+            lines_.file(), line,
+            "vertex index " + std::to_string(index + 1) + " with " + std::to_string(vertices) + " vertices",
+            "expected 1 to the number of vertices");
+  }
+
+  /// Refuses other numbers of vertices and faces than the first line counts.
+  void need_counts() const
+  {
+    const std::size_t vertices = scan_.soup.vertices.size(),
+                      faces = scan_.soup.face_count() + scan_.short_faces.count();
+    if (counts_ && *counts_ != std::array<std::uint64_t, 2>{vertices, faces})
+      throw Input_error(lines_.file(), 0,
+                        std::to_string(vertices) + " vertices and " + std::to_string(faces) + " faces",
+                        "expected " + std::to_string((*counts_)[0]) + " and " + std::to_string((*counts_)[1]) +
+                            " as the first line counts");
+  }
+
+  Text_lines lines_;
+  Obj_statements statements_{lines_};
+  const std::vector<std::string>& words_ = statements_.words();  // of the current statement
+  Scan scan_;
+  std::vector<Index> loop_;
+  std::optional<std::array<std::uint64_t, 2>> counts_;
+  // The line and the index of each corner that was further ahead than all before it. They are settled at the end.
+  std::vector<std::pair<std::size_t, std::int64_t>> ahead_;
+  Left_out free_form_;
+};
+
 /// Returns what a Wavefront OBJ text holds: vertices (`v`) and faces (`f`, `fo`, `q`). A face stays a polygon. Its
 /// indices count from 1, or backwards from the last vertex before it. A line that ends in a backslash goes on in the
 /// next. Statements that draw something else (points, lines, curves, groups, materials) are skipped, free-form surfaces
@@ -148,86 +267,7 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
 /// - white space other than blanks between corners;
 /// - numbers that are not finite;
 /// - statements that it does not take (`fo`, `q`, `l`, `call`, `csh`, `maplib`, `mg`).
-inline Scan scan_obj(const std::string& file, std::string_view text)
-{
-  constexpr std::array skipped = {
-      "vt",    "vn",        "vp",     "bevel", "lod",      "ctech",  "c_interp", "usemap",     "usemtl",
-      "stech", "d_interp",  "mtllib", "o",     "g",        "s",      "p",        "shadow_obj", "cstype",
-      "deg",   "step",      "bmat",   "con",   "curv",     "curv2",  "surf",     "parm",       "trim",
-      "hole",  "trace_obj", "scrv",   "sp",    "end",      "surf_1", "q0_1",     "q1_1",       "curv2d_1",
-      "bsp",   "surf_2",    "q0_2",   "q1_2",  "curv2d_2", "bzp",    "cdc",      "cdp",        "res"};
-  constexpr std::array surfaces = {"surf", "bsp", "bzp", "cdp", "res"};
-  constexpr std::array unknown_to_cgal = {"l", "call", "csh", "maplib", "mg"};
-
-  Scan scan;
-  const auto& vertices = scan.soup.vertices;
-  Text_lines lines(file, text, '\0');
-  Obj_statements statements(lines);
-  const std::vector<std::string>& words = statements.words();
-  // A face may name vertices that come later; each index that is further ahead than all before it is settled at the
-  // end.
-  std::vector<std::pair<std::size_t, std::int64_t>> ahead;
-  std::optional<std::array<std::uint64_t, 2>> counts;
-  bool first_statement = true;
-  Left_out free_form;
-  std::vector<Index> loop;
-  while (statements.next()) {
-    if (std::exchange(first_statement, false) && words.size() == 2 && parse_count(words[0]) && parse_count(words[1])) {
-      counts = {*parse_count(words[0]), *parse_count(words[1])};
-      scan.cgal_knows = false;
-      continue;
-    }
-    const std::string& statement = words[0];
-    const auto is_statement = [&statement](std::string_view name) { return statement == name; };
-    if (statement == "v") {
-      add_obj_vertex(lines, words, scan);
-    } else if (is_obj_geometry(statement)) {
-      if (statement != "f") scan.cgal_knows = false;
-      need_corners(lines, words.size() - 1, 1);
-      if (statement == "q" && words.size() != 5)
-        lines.fail("a face q of " + std::to_string(words.size() - 1) + " corners", "expected 4");
-      loop.clear();
-      for (std::size_t k = 1; k < words.size(); ++k) {
-        const std::int64_t corner = obj_corner(lines, words[k]);
-        const auto so_far = static_cast<std::int64_t>(vertices.size());
-        const std::int64_t index = corner > 0 ? corner - 1 : so_far + corner;
-        if (corner == 0 || index < 0 || index > std::numeric_limits<std::int32_t>::max())
-          lines.fail("vertex index " + std::to_string(corner) + " after " + std::to_string(so_far) + " vertices",
-                     "expected an index from 1, or from -1 down to the first vertex");
-        if (index >= so_far && (ahead.empty() || ahead.back().second < index)) ahead.emplace_back(lines.line(), index);
-        loop.push_back(static_cast<Index>(index));
-      }
-      // CGAL skips from an index to the next blank: any other white space hides the indices behind it.
-      const std::string_view first = lines.words().front(), last = lines.words().back();
-      const std::string_view row(first.data(), last.data() + last.size() - first.data());
-      if (row.find_first_of("\t\r\v\f") != std::string_view::npos) scan.cgal_knows = false;
-      add_face(scan, loop, [&] { return at_line(lines); });
-    } else if (std::ranges::any_of(unknown_to_cgal, is_statement)) {
-      scan.cgal_knows = false;
-    } else if (std::ranges::none_of(skipped, is_statement)) {
-      lines.fail(in_quotes(statement) + " as statement", "expected v, f or another statement of the format");
-    } else if (std::ranges::any_of(surfaces, is_statement)) {
-      free_form.add(at_line(lines));
-    }
-  }
-  if (statements.continued()) scan.cgal_knows = false;
-  free_form.note("free-form surfaces are left out", scan.notes);
-  statements.kept().note("lines behind one that ends in a backslash are read as statements of their own", scan.notes);
-  for (const auto& [line, index] : ahead)
-    if (index >= static_cast<std::int64_t>(vertices.size()))
-      throw Input_error(
-          file, line,
-          "vertex index " + std::to_string(index + 1) + " with " + std::to_string(vertices.size()) + " vertices",
-          "expected 1 to the number of vertices");
-  const std::size_t faces = scan.soup.face_count() + scan.short_faces.count();
-  if (counts && *counts != std::array<std::uint64_t, 2>{vertices.size(), faces})
-    throw Input_error(file, 0, std::to_string(vertices.size()) + " vertices and " + std::to_string(faces) + " faces",
-                      "expected " + std::to_string((*counts)[0]) + " and " + std::to_string((*counts)[1]) +
-                          " as the first line counts");
-  if (lines.line() == 0) lines.fail("the file is empty", "expected vertices and faces");
-  finish(scan);
-  return scan;
-}
+inline Scan scan_obj(const std::string& file, std::string_view text) { return Obj_scan(file, text)(); }
 
 }  // namespace tetracone::covering
 

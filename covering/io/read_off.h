@@ -23,6 +23,94 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
   });
 }
 
+/// The header of an OFF file.
+struct Off_header {
+  bool textures = false, colours = false, normals = false;  ///< of the vertices
+  std::size_t vertices = 0, faces = 0;
+  bool cgal_knows = false;  ///< as `Scan::cgal_knows`
+};
+
+/// Reads the keyword of the current line into the header. Returns the digits that stick to it. Throws Input_error.
+inline std::string_view scan_off_keyword(const Text_lines& lines, Off_header& header)
+{
+  const std::string_view keyword = lines.words()[0];
+  const auto prefix_end = keyword.find("OFF");
+  if (prefix_end == std::string_view::npos)
+    lines.fail(in_quotes(keyword) + " where the keyword should be",
+               "expected OFF, COFF, NOFF, CNOFF or ST before one of them");
+  std::string_view prefix = keyword.substr(0, prefix_end);
+  const auto take = [&prefix](std::string_view word, bool& taken) {
+    if (taken || !prefix.starts_with(word)) return false;
+    prefix.remove_prefix(word.size());
+    return taken = true;
+  };
+  while (take("ST", header.textures) || take("C", header.colours) || take("N", header.normals)) continue;
+  if (!prefix.empty())
+    lines.fail(in_quotes(keyword) + " as keyword", "expected three plain coordinates: OFF, COFF, NOFF, STOFF");
+  return keyword.substr(prefix_end + 3);
+}
+
+/// Returns the header, which ends with the line of the counts. Throws Input_error.
+inline Off_header scan_off_header(Text_lines& lines)
+{
+  Off_header header;
+  lines.need_next("expected the keyword OFF");
+  std::vector<std::string_view> counts = lines.words();
+  if (!parse_count(counts[0])) {
+    counts[0] = scan_off_keyword(lines, header);
+    header.cgal_knows = !header.textures && !header.colours && counts[0].empty();
+    if (counts[0].empty()) counts.erase(counts.begin());
+    if (!counts.empty() && counts[0] == "BINARY") lines.fail("a binary OFF file", "expected OFF as text");
+  }
+  if (counts.empty()) {
+    lines.need_next("expected the counts of vertices, faces and edges");
+    counts = lines.words();
+  }
+  if (counts.size() != 2 && counts.size() != 3)
+    lines.fail(std::to_string(counts.size()) + " words as counts", "expected the counts of vertices, faces and edges");
+  header.vertices = lines.count_ahead(counts[0], "count of vertices", 6);  // "0 0 0" and a line's end
+  header.faces = lines.count_ahead(counts[1], "count of faces", 4);        // "1 0" and a line's end
+  // Nobody uses the count of edges, but CGAL reads it as an int.
+  const bool is_int = counts.size() == 3 && lines.count(counts[2], "count of edges") < (1u << 30);
+  header.cgal_knows = header.cgal_knows && is_int;
+  return header;
+}
+
+/// Refuses a word that is no number, from word `first` on. They stand behind a `what`.
+inline void need_numbers(const Text_lines& lines, std::size_t first, const char* what)
+{
+  for (std::size_t k = first; k < lines.words().size(); ++k)
+    if (!is_number_word(lines.words()[k]))
+      lines.fail(in_quotes(lines.words()[k]) + " behind a " + what, "expected a number");
+}
+
+/// Adds the vertex of the current line. Throws Input_error.
+inline void add_off_vertex(const Text_lines& lines, const Off_header& header, Scan& scan)
+{
+  const std::size_t least = 3 + (header.normals ? 3 : 0) + (header.textures ? 2 : 0);
+  if (lines.words().size() < least)
+    lines.fail("a vertex of " + std::to_string(lines.words().size()) + " numbers", "expected " + std::to_string(least));
+  add_vertex(lines, 0, scan.soup.vertices, scan.unplaced);
+  need_numbers(lines, 3, "vertex");
+  if (!std::ranges::all_of(lines.words(), [](std::string_view word) { return parse_double(word).has_value(); }))
+    scan.cgal_knows = false;
+}
+
+/// Adds the face of the current line. `loop` holds its corners. Throws Input_error.
+inline void add_off_face(const Text_lines& lines, std::size_t vertices, std::vector<Index>& loop, Scan& scan)
+{
+  const std::uint64_t corners = lines.count(0, "count of corners");
+  need_corners(lines, corners, 1);
+  if (corners > lines.words().size() - 1)
+    lines.fail("a face of " + std::to_string(corners) + " corners with " + std::to_string(lines.words().size() - 1) +
+                   " numbers",
+               "expected an index for each corner");
+  loop.clear();
+  for (std::size_t k = 1; k <= corners; ++k) loop.push_back(vertex_index(lines, k, vertices));
+  need_numbers(lines, corners + 1, "face");
+  add_face(scan, loop, [&] { return at_line(lines); });
+}
+
 /// Returns what an OFF text holds, or throws Input_error. '#' starts a comment anywhere. Its parts are, in order:
 ///
 /// - the keyword OFF, which may be absent, with ST, C and N before it in any order;
@@ -43,85 +131,26 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
 inline Scan scan_off(const std::string& file, std::string_view text)
 {
   Text_lines lines(file, text, '#');
-  lines.need_next("expected the keyword OFF");
-  std::vector<std::string_view> header = lines.words();
+  const Off_header header = scan_off_header(lines);
   Scan scan;
-  bool textures = false, colours = false, normals = false;
-  if (parse_count(header[0])) {
-    scan.cgal_knows = false;
-  } else {
-    // The keyword and the digits that may stick to it.
-    std::string_view prefix = header[0];
-    const auto keyword_end = prefix.find("OFF");
-    if (keyword_end == std::string_view::npos)
-      lines.fail(in_quotes(header[0]) + " where the keyword should be",
-                 "expected OFF, COFF, NOFF, CNOFF or ST before one of them");
-    const std::string_view stuck = prefix.substr(keyword_end + 3);
-    prefix = prefix.substr(0, keyword_end);
-    const auto take = [&prefix](std::string_view word, bool& taken) {
-      if (taken || !prefix.starts_with(word)) return false;
-      prefix.remove_prefix(word.size());
-      return taken = true;
-    };
-    while (take("ST", textures) || take("C", colours) || take("N", normals)) continue;
-    if (!prefix.empty())
-      lines.fail(in_quotes(header[0]) + " as keyword", "expected three plain coordinates: OFF, COFF, NOFF, STOFF");
-    header.erase(header.begin());
-    if (!stuck.empty()) header.insert(header.begin(), stuck);
-    if (!header.empty() && header[0] == "BINARY") lines.fail("a binary OFF file", "expected OFF as text");
-    scan.cgal_knows = !textures && !colours && stuck.empty();
+  scan.cgal_knows = header.cgal_knows;
+  scan.soup.vertices.reserve(header.vertices);
+  for (std::size_t v = 0; v < header.vertices; ++v) {
+    lines.need_next("vertex", v, header.vertices);
+    add_off_vertex(lines, header, scan);
   }
-  if (header.empty()) {
-    lines.need_next("expected the counts of vertices, faces and edges");
-    header = lines.words();
-  }
-  if (header.size() != 2 && header.size() != 3)
-    lines.fail(std::to_string(header.size()) + " words as counts", "expected the counts of vertices, faces and edges");
-  scan.cgal_knows = scan.cgal_knows && header.size() == 3;
-  const std::size_t vertices = lines.count_ahead(header[0], "count of vertices", 6);  // "0 0 0" and a line's end
-  const std::size_t faces = lines.count_ahead(header[1], "count of faces", 4);        // "1 0" and a line's end
-  if (header.size() == 3) {
-    // Nobody uses it, but CGAL reads it as an int.
-    const std::uint64_t edges = lines.count(header[2], "count of edges");
-    scan.cgal_knows = scan.cgal_knows && edges < (1u << 30);
-  }
-
-  scan.soup.vertices.reserve(vertices);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    lines.need_next("vertex", v, vertices);
-    const std::size_t least = 3 + (normals ? 3 : 0) + (textures ? 2 : 0);
-    if (lines.words().size() < least)
-      lines.fail("a vertex of " + std::to_string(lines.words().size()) + " numbers",
-                 "expected " + std::to_string(least));
-    add_vertex(lines, 0, scan.soup.vertices, scan.unplaced);
-    for (std::size_t k = 0; k < lines.words().size(); ++k)
-      if (!is_number_word(lines.words()[k]))
-        lines.fail(in_quotes(lines.words()[k]) + " behind a vertex", "expected a number");
-      else if (!parse_double(lines.words()[k]))
-        scan.cgal_knows = false;
-  }
-  scan.soup.reserve_faces(faces, 3 * faces);
+  scan.soup.reserve_faces(header.faces, 3 * header.faces);
   std::vector<Index> loop;
-  for (std::size_t f = 0; f < faces; ++f) {
-    lines.need_next("face", f, faces);
-    const std::uint64_t corners = lines.count(0, "count of corners");
-    need_corners(lines, corners, 1);
-    if (corners > lines.words().size() - 1)
-      lines.fail("a face of " + std::to_string(corners) + " corners with " + std::to_string(lines.words().size() - 1) +
-                     " numbers",
-                 "expected an index for each corner");
-    loop.clear();
-    for (std::size_t k = 1; k <= corners; ++k) loop.push_back(vertex_index(lines, k, vertices));
-    for (std::size_t k = corners + 1; k < lines.words().size(); ++k)
-      if (!is_number_word(lines.words()[k]))
-        lines.fail(in_quotes(lines.words()[k]) + " behind a face", "expected a number");
-    add_face(scan, loop, [&] { return at_line(lines); });
+  for (std::size_t f = 0; f < header.faces; ++f) {
+    lines.need_next("face", f, header.faces);
+    add_off_face(lines, header.vertices, loop, scan);
   }
   Left_out behind;
   for (; lines.next(); behind.add(at_line(lines)))
-    if (is_face_line(lines, vertices))
-      lines.fail("more faces than the header counts", "expected the end of the file after " + std::to_string(vertices) +
-                                                          " vertices and " + std::to_string(faces) + " faces");
+    if (is_face_line(lines, header.vertices))
+      lines.fail("more faces than the header counts", "expected the end of the file after " +
+                                                          std::to_string(header.vertices) + " vertices and " +
+                                                          std::to_string(header.faces) + " faces");
   behind.note("lines behind the last face are left out", scan.notes);
   finish(scan);
   return scan;

@@ -54,13 +54,11 @@ class Ply_body {
     }
     std::string_view word = next_word(name);
     if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-    std::int64_t value = 0;
-    const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto value = parse_integer<std::int64_t>(word);
     const std::int64_t span = std::int64_t{1} << (8 * type.bytes - (type.kind == 'i' ? 1 : 0));
-    if (rest != word.data() + word.size() || error != std::errc() || value >= span ||
-        value < (type.kind == 'i' ? -span : 0))
+    if (!value || *value >= span || *value < (type.kind == 'i' ? -span : 0))
       fail(in_quotes(word) + " as " + std::string(name) + " of " + what(), "expected an integer of its type");
-    return value;
+    return *value;
   }
 
   /// Returns the next scalar, of a floating-point type. In text it is the double nearest to the decimal, whatever the
@@ -154,83 +152,166 @@ inline void add_triangle_strips(const std::vector<std::int64_t>& indices, Polyhe
   }
 }
 
-/// The parts of a PLY file that make the model: the elements, and the positions of their properties.
-struct Ply_parts {
-  const Ply_element* vertex = nullptr;
-  const Ply_element* face = nullptr;    ///< absent where there are strips
-  const Ply_element* strips = nullptr;  ///< absent in most files
-  std::array<std::size_t, 3> axis{};    ///< x, y and z of a vertex
-  std::size_t corners = 0;              ///< the list of vertices of a face
-  std::size_t strip = 0;                ///< the list of vertices of strips
+/// True when CGAL's reader takes an element as it is meant: it has its colours as uchar, and no halfedges.
+inline bool cgal_takes(const Ply_element& element)
+{
+  constexpr std::array<std::string_view, 6> colours = {"red", "green", "blue", "r", "g", "b"};
+  return element.name != "halfedge" && std::ranges::none_of(element.properties, [&](const Ply_property& each) {
+           const bool is_uchar = !each.count && each.type.kind == 'u' && each.type.bytes == 1;
+           return !is_uchar && std::ranges::find(colours, each.name) != colours.end();
+         });
+}
 
-  /// Returns how many properties of the element are read; the last of them is used.
-  std::size_t used_properties(const Ply_element& element) const
+/// Refuses an element of more items than the text behind the header can hold. A used property of a text takes 2 bytes
+/// or more.
+inline void need_room(const Text_lines& lines, const Ply_header& header, const Ply_parts& parts,
+                      const Ply_element& element)
+{
+  std::size_t least = 0;
+  if (header.format == Ply_header::Format::text)
+    least = 2 * parts.used_properties(element);
+  else
+    for (const Ply_property& each : element.properties) least += each.count.value_or(each.type).bytes;
+  if (element.items * least > lines.bytes_left() + 1)
+    throw Input_error(lines.file(), element.line,
+                      std::to_string(element.items) + " of " + in_quotes(element.name) + ", with " +
+                          std::to_string(lines.bytes_left()) + " bytes behind the header",
+                      "expected a count that the file can hold");
+}
+
+/// A reader of the items of a PLY body. Its functions throw Input_error.
+class Ply_items {
+ public:
+  /// The arguments must outlive this object.
+  Ply_items(const Ply_parts& parts, Ply_body& body, Scan& scan) : parts_(parts), body_(body), scan_(scan) {}
+
+  /// Reads all items of an element into the scan. Requires the elements in the order of the header.
+  void read(const Ply_element& element)
   {
-    if (&element == vertex) return *std::max_element(axis.begin(), axis.end()) + 1;
-    if (&element == face) return corners + 1;
-    return &element == strips ? strip + 1 : 0;
+    const std::size_t used_properties = parts_.used_properties(element);
+    for (std::size_t item = 0; item < element.items; ++item) {
+      body_.begin_item(element, item);
+      vertex_ = {};
+      is_placed_ = true;
+      if (!read_properties(element, used_properties)) unwritten_.add(body_.where());
+      body_.end_item();
+      if (&element == parts_.vertex) scan_.soup.vertices.push_back(is_placed_ ? vertex_ : kernel::Vertex{});
+    }
   }
+
+  /// Refuses more than the header counts, and records the lines without their last properties.
+  void finish()
+  {
+    body_.need_end();
+    unwritten_.note("lines that lack properties of the header, which are not used", scan_.notes);
+    if (unwritten_.count() != 0) scan_.cgal_knows = false;
+  }
+
+ private:
+  /// Reads the properties of an item. Returns false where its line lacks some that are not used.
+  bool read_properties(const Ply_element& element, std::size_t used_properties)
+  {
+    bool is_whole = true;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const Ply_property& property = element.properties[p];
+      if (p >= used_properties && body_.is_line_over()) return false;
+      if (!property.count) {
+        const double value = number(property);
+        const auto axis = std::ranges::find(parts_.axis, p) - parts_.axis.begin();
+        if (&element == parts_.vertex && axis != 3) set_coordinate(property.name, axis, value);
+      } else if (&element == parts_.face && p == parts_.corners) {
+        read_face(property);
+      } else if (&element == parts_.strips && p == parts_.strip) {
+        read_strips(property);
+      } else {
+        is_whole = skip_list(property) && is_whole;
+      }
+    }
+    return is_whole;
+  }
+
+  /// Returns the next number, of a property or of a list that is not used. CGAL takes none that float cannot hold.
+  double number(const Ply_property& property)
+  {
+    const Ply_type type = property.type;
+    if (type.kind != 'f') return static_cast<double>(body_.integer(type, property.name));
+    const double value = body_.floating(type, property.name);
+    if (body_.is_text() && (!std::isfinite(value) || (type.bytes == 4 && std::abs(value) > FLT_MAX)))
+      scan_.cgal_knows = false;
+    return value;
+  }
+
+  void set_coordinate(const std::string& name, std::ptrdiff_t axis, double value)
+  {
+    vertex_[axis] = value;
+    if (std::isfinite(value) || !std::exchange(is_placed_, false)) return;
+    scan_.cgal_knows = false;
+    scan_.unplaced.add(
+        static_cast<Index>(scan_.soup.vertices.size()),
+        body_.error(name + " of " + body_.what() + " is no finite number", "expected finite coordinates"));
+  }
+
+  void read_face(const Ply_property& corners)
+  {
+    const std::int64_t count = read_count(corners);
+    if (count == 0) body_.fail(body_.what() + " has 0 corners", "expected at least 3");
+    loop_.clear();
+    for (std::int64_t k = 0; k < count; ++k) loop_.push_back(vertex(body_.integer(corners.type, "vertex index")));
+    add_face(scan_, loop_, [&] { return body_.where(); });
+  }
+
+  void read_strips(const Ply_property& strip)
+  {
+    const std::int64_t count = read_count(strip);
+    indices_.clear();
+    for (std::int64_t k = 0; k < count; ++k) {
+      const std::int64_t index = body_.integer(strip.type, "vertex index");
+      // -1 ends a strip, also where the type has no sign.
+      const bool is_end = index == -1 || index == std::numeric_limits<std::uint32_t>::max();
+      indices_.push_back(is_end ? -1 : std::int64_t{vertex(index)});
+    }
+    add_triangle_strips(indices_, scan_.soup);
+  }
+
+  /// Reads a list that is not used. Returns false where its line is over before.
+  bool skip_list(const Ply_property& list)
+  {
+    const std::int64_t count = read_count(list);
+    for (std::int64_t k = 0; k < count; ++k) {
+      if (body_.is_line_over()) return false;
+      number(list);
+    }
+    return true;
+  }
+
+  std::int64_t read_count(const Ply_property& list)
+  {
+    const std::int64_t count = body_.integer(*list.count, list.count_name);
+    if (count < 0 || static_cast<std::uint64_t>(count) > body_.bytes_left())
+      body_.fail(std::to_string(count) + " as count of " + list.name + " of " + body_.what(),
+                 "expected a count that the file can hold");
+    return count;
+  }
+
+  /// Returns the vertex of this index.
+  Index vertex(std::int64_t index) const
+  {
+    if (index < 0 || static_cast<std::uint64_t>(index) >= parts_.vertex->items)
+      body_.fail("vertex index " + std::to_string(index) + " in " + body_.what() + " with " +
+                     std::to_string(parts_.vertex->items) + " vertices",
+                 "expected an index from 0 below that");
+    return static_cast<Index>(index);
+  }
+
+  const Ply_parts& parts_;
+  Ply_body& body_;
+  Scan& scan_;
+  kernel::Vertex vertex_{};  // of the current item
+  bool is_placed_ = true;    // its coordinates so far are finite
+  std::vector<Index> loop_;
+  std::vector<std::int64_t> indices_;
+  Left_out unwritten_;
 };
-
-/// Returns the position of the element's property of this name; the count of properties if there is none.
-inline std::size_t find_property(const Ply_element& element, std::string_view name)
-{
-  return static_cast<std::size_t>(std::ranges::find(element.properties, name, &Ply_property::name) -
-                                  element.properties.begin());
-}
-
-/// Returns the position of the element's list of vertices. Throws Input_error where it has none.
-inline std::size_t find_corners(const std::string& file, const Ply_element& element)
-{
-  std::size_t corners = find_property(element, "vertex_indices");
-  if (corners == element.properties.size()) corners = find_property(element, "vertex_index");
-  if (corners == element.properties.size() || !element.properties[corners].count ||
-      element.properties[corners].type.kind == 'f')
-    throw Input_error(file, element.line, "faces without a list of vertex indices",
-                      "expected the property vertex_indices");
-  return corners;
-}
-
-/// Returns the parts. Records in the scan what CGAL does not take. Throws Input_error where one is missing.
-inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& header, Scan& scan)
-{
-  const auto find = [&](const char* name, const char* other) -> const Ply_element* {
-    const auto named = [&](const char* wanted) {
-      return std::ranges::find(header.elements, wanted, &Ply_element::name);
-    };
-    const auto first = named(name), second = named(other);
-    if (first != header.elements.end() && second != header.elements.end())
-      lines.fail(std::string("the elements ") + name + " and " + other, "expected one of them");
-    const auto found = first != header.elements.end() ? first : second;
-    return found == header.elements.end() ? nullptr : &*found;
-  };
-  Ply_parts parts;
-  parts.vertex = find("vertex", "vertices");
-  parts.face = find("face", "faces");
-  parts.strips = find("tristrips", "tristrip");
-  if (!parts.vertex) lines.fail("no element vertex", "expected one in the header");
-  if (!parts.face && !parts.strips) lines.fail("no element face", "expected one in the header");
-  for (int k = 0; k < 3; ++k) {
-    const std::string name(1, "xyz"[k]);
-    parts.axis[k] = find_property(*parts.vertex, name);
-    const auto& properties = parts.vertex->properties;
-    if (parts.axis[k] == properties.size() || properties[parts.axis[k]].count)
-      throw Input_error(lines.file(), parts.vertex->line, "vertices without a number " + name,
-                        "expected the properties x, y and z");
-    const Ply_type type = properties[parts.axis[k]].type;
-    if (type.kind != 'f') scan.cgal_knows = false;
-    scan.single_coordinates = scan.single_coordinates || (header.format == Ply_header::Format::text && type.bytes == 4);
-  }
-  if (parts.face) {
-    parts.corners = find_corners(lines.file(), *parts.face);
-    if (parts.face->properties[parts.corners].type.bytes != 4) scan.cgal_knows = false;
-  }
-  if (parts.strips) {
-    parts.strip = find_corners(lines.file(), *parts.strips);
-    scan.cgal_knows = false;
-  }
-  return parts;
-}
 
 /// Returns what a PLY file holds, text or binary of either byte order. Other elements and properties than these are
 /// skipped; properties may be in any order and of any type.
@@ -258,106 +339,21 @@ inline Scan scan_ply(const std::string& file, std::string_view text)
   const std::string_view given = text;
   text = with_line_feeds(text, copied);
   Text_lines lines(file, text, '\0');
-  const Ply_header header = scan_ply_header(lines);
+  const Ply_header header = Ply_header_scan(lines)();
   Scan scan;
   scan.cgal_knows = header.cgal_knows && text.data() == given.data();
   const Ply_parts parts = find_ply_parts(lines, header, scan);
   for (const Ply_element& element : header.elements) {
-    if (element.name == "halfedge") scan.cgal_knows = false;
-    for (const Ply_property& each : element.properties)
-      for (const char* colour : {"red", "green", "blue", "r", "g", "b"})
-        if (each.name == colour && (each.count || each.type.kind != 'u' || each.type.bytes != 1))
-          scan.cgal_knows = false;
-    std::size_t least = 0;
-    for (const Ply_property& each : element.properties)
-      least += header.format == Ply_header::Format::text ? 2 : (each.count ? *each.count : each.type).bytes;
-    if (header.format == Ply_header::Format::text) least = std::min(least, 2 * parts.used_properties(element));
-    if (element.items * least > lines.bytes_left() + 1)
-      throw Input_error(file, element.line,
-                        std::to_string(element.items) + " of " + in_quotes(element.name) + ", with " +
-                            std::to_string(lines.bytes_left()) + " bytes behind the header",
-                        "expected a count that the file can hold");
+    if (!cgal_takes(element)) scan.cgal_knows = false;
+    need_room(lines, header, parts, element);
   }
-
-  Ply_body body(lines, text, header.format);
-  const auto scalar = [&](const Ply_type& type, std::string_view name) {
-    if (type.kind != 'f') return static_cast<double>(body.integer(type, name));
-    const double value = body.floating(type, name);
-    if (body.is_text() && (!std::isfinite(value) || (type.bytes == 4 && std::abs(value) > FLT_MAX)))
-      scan.cgal_knows = false;
-    return value;
-  };
-  std::vector<std::int64_t> indices;
-  std::vector<Index> loop;
-  Left_out unwritten;
   // The header's counts are such as the file can hold.
   scan.soup.vertices.reserve(parts.vertex->items);
   if (parts.face) scan.soup.reserve_faces(parts.face->items, 3 * parts.face->items);
-  for (const Ply_element& element : header.elements) {
-    std::vector<std::string> counts;
-    for (const Ply_property& each : element.properties) counts.push_back("count of " + each.name);
-    const std::size_t used_properties = parts.used_properties(element);
-    const bool is_strips = &element == parts.strips;
-    for (std::size_t item = 0; item < element.items; ++item) {
-      body.begin_item(element, item);
-      kernel::Vertex vertex{};
-      bool is_placed = true, is_whole = true;
-      for (std::size_t p = 0; p < element.properties.size(); ++p) {
-        const Ply_property& each = element.properties[p];
-        if (p >= used_properties && body.is_line_over()) {
-          is_whole = false;
-          break;
-        }
-        if (!each.count) {
-          const double value = scalar(each.type, each.name);
-          const auto coordinate = std::ranges::find(parts.axis, p) - parts.axis.begin();
-          if (&element != parts.vertex || coordinate == 3) continue;
-          vertex[coordinate] = value;
-          if (std::isfinite(value) || !std::exchange(is_placed, false)) continue;
-          scan.cgal_knows = false;
-          scan.unplaced.add(
-              static_cast<Index>(item),
-              body.error(each.name + " of " + body.what() + " is no finite number", "expected finite coordinates"));
-          continue;
-        }
-        const bool is_face = &element == parts.face && p == parts.corners, is_strip = is_strips && p == parts.strip;
-        const std::int64_t count = body.integer(*each.count, counts[p]);
-        if (count < 0 || static_cast<std::uint64_t>(count) > body.bytes_left())
-          body.fail(std::to_string(count) + " as count of " + each.name + " of " + body.what(),
-                    "expected a count that the file can hold");
-        if (is_face && count == 0) body.fail(body.what() + " has 0 corners", "expected at least 3");
-        indices.clear();
-        for (std::int64_t k = 0; k < count; ++k) {
-          if (!is_face && !is_strip) {
-            if (body.is_line_over()) {
-              is_whole = false;
-              break;
-            }
-            scalar(each.type, each.name);
-            continue;
-          }
-          const std::int64_t index = body.integer(each.type, "vertex index");
-          // -1 ends a strip, also where the type has no sign.
-          const bool is_end = is_strip && (index == -1 || index == std::numeric_limits<std::uint32_t>::max());
-          if (!is_end && (index < 0 || static_cast<std::uint64_t>(index) >= parts.vertex->items))
-            body.fail("vertex index " + std::to_string(index) + " in " + body.what() + " with " +
-                          std::to_string(parts.vertex->items) + " vertices",
-                      "expected an index from 0 below that");
-          indices.push_back(is_end ? -1 : index);
-        }
-        if (is_strip) add_triangle_strips(indices, scan.soup);
-        if (!is_face) continue;
-        loop.assign(indices.begin(), indices.end());
-        add_face(scan, loop, [&] { return body.where(); });
-      }
-      if (!is_whole) unwritten.add(body.where());
-      body.end_item();
-      if (&element == parts.vertex) scan.soup.vertices.push_back(is_placed ? vertex : kernel::Vertex{});
-    }
-  }
-  body.need_end();
-  unwritten.note("lines that lack properties of the header, which are not used", scan.notes);
-  if (unwritten.count() != 0) scan.cgal_knows = false;
+  Ply_body body(lines, text, header.format);
+  Ply_items items(parts, body, scan);
+  for (const Ply_element& element : header.elements) items.read(element);
+  items.finish();
   finish(scan);
   return scan;
 }

@@ -66,15 +66,19 @@ inline std::string read_text(const std::filesystem::path& file) { return as_text
 /// True when the character separates words of a line.
 inline bool is_white(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-/// Returns the unsigned decimal integer that the whole of `word` is. Nothing when it is none or does not fit.
-inline std::optional<std::uint64_t> parse_count(std::string_view word)
+/// Returns the decimal integer that the whole of `word` is. Nothing when it is none or does not fit.
+template <class Integer>
+std::optional<Integer> parse_integer(std::string_view word)
 {
-  std::uint64_t value = 0;
+  Integer value = 0;
   const char* const end = word.data() + word.size();
   const auto [rest, error] = std::from_chars(word.data(), end, value);
   if (rest != end || error != std::errc()) return std::nullopt;
   return value;
 }
+
+/// Returns the integer from 0 that the whole of `word` is. Nothing when it is none or does not fit.
+inline std::optional<std::uint64_t> parse_count(std::string_view word) { return parse_integer<std::uint64_t>(word); }
 
 /// The lines of a text that hold at least one word, each split into its words at white space, with its number. Every
 /// error is thrown as an Input_error at the current line. The text must outlive this object.
