@@ -40,6 +40,35 @@ constexpr bool is_crossing(const Triangle_contact::Corner& corner)
 
 namespace detail {
 
+/// A triangle, turned so that corner 0 is alone on its side of the other triangle's plane.
+struct Turned {
+  std::array<int, 3> corner{};  // the numbers that the corners had before
+  bool flips = false;           // alone on the negative side: the other triangle is turned over
+
+  explicit Turned(const std::array<Sign, 3>& side)
+  {
+    for (int k = 0; k < 3; ++k) {
+      const Sign first = side[k], second = side[(k + 1) % 3], third = side[(k + 2) % 3];
+      if (first != ZERO ? second == first || third == first : second != third || second == ZERO) continue;
+      corner = {k, (k + 1) % 3, (k + 2) % 3};
+      flips = (first != ZERO ? first : -second) == NEGATIVE;
+      return;
+    }
+  }
+  /// Returns the edges that hold the end of the interval on the edge from corner 0 to i.
+  Edge_set end(int i, const std::array<Sign, 3>& side) const
+  {
+    if (side[corner[0]] == ZERO) return edges_at(corner[0]);
+    return side[corner[i]] == ZERO ? edges_at(corner[i]) : Edge_set(edges_at(corner[0]) & edges_at(corner[i]));
+  }
+  /// Returns the edge in the other's plane, if there is one: it holds the whole interval.
+  Edge_set whole(const std::array<Sign, 3>& side) const
+  {
+    const bool on_line = side[corner[1]] == ZERO && side[corner[2]] == ZERO;
+    return on_line ? Edge_set(edges_at(corner[1]) & edges_at(corner[2])) : 0;
+  }
+};
+
 /// Finds the set that two triangles in different planes share, when each meets the other's plane.
 ///
 /// After Guigue and Devillers: p0 and q0 are each alone on the positive side of the other's plane. Edge p0 pi meets the
@@ -50,34 +79,6 @@ template <class Sign_of>
 Triangle_contact crossing_contact(const std::array<Sign, 3>& side_p, const std::array<Sign, 3>& side_q,
                                   const Sign_of& sign_of)
 {
-  /// The numbers that the corners of a turned triangle had before, and whether the other triangle is turned over.
-  struct Turned {
-    std::array<int, 3> corner{};
-    bool flips = false;  // alone on the negative side: the other triangle is turned over
-
-    explicit Turned(const std::array<Sign, 3>& side)
-    {
-      for (int k = 0; k < 3; ++k) {
-        const Sign first = side[k], second = side[(k + 1) % 3], third = side[(k + 2) % 3];
-        if (first != ZERO ? second == first || third == first : second != third || second == ZERO) continue;
-        corner = {k, (k + 1) % 3, (k + 2) % 3};
-        flips = (first != ZERO ? first : -second) == NEGATIVE;
-        return;
-      }
-    }
-    /// Returns the edges that hold the end of the interval on the edge from corner 0 to i.
-    Edge_set end(int i, const std::array<Sign, 3>& side) const
-    {
-      if (side[corner[0]] == ZERO) return edges_at(corner[0]);
-      return side[corner[i]] == ZERO ? edges_at(corner[i]) : Edge_set(edges_at(corner[0]) & edges_at(corner[i]));
-    }
-    /// Returns the edge in the other's plane, if there is one: it holds the whole interval.
-    Edge_set whole(const std::array<Sign, 3>& side) const
-    {
-      const bool on_line = side[corner[1]] == ZERO && side[corner[2]] == ZERO;
-      return on_line ? Edge_set(edges_at(corner[1]) & edges_at(corner[2])) : 0;
-    }
-  };
   Turned at_p(side_p), at_q(side_q);
   if (at_p.flips) std::swap(at_q.corner[1], at_q.corner[2]);
   if (at_q.flips) std::swap(at_p.corner[1], at_p.corner[2]);
