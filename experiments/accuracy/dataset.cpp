@@ -92,19 +92,6 @@ class Rows {
   std::vector<std::string> columns_;
 };
 
-void add_pose(Rows& rows, char body, const kernel::Pose& pose)
-{
-  for (int k = 0; k < 12; ++k) rows.add(body + std::to_string(k / 4) + std::to_string(k % 4), number(pose, k));
-}
-
-/// The corners of both triangles of a case, placed: s0 s1 s2 and t0 t1 t2.
-void add_triangles(Rows& rows, const verify::Predicate_case& c)
-{
-  const auto pair = verify::placed_triangles(c);
-  for (std::size_t k = 0; k < 18; ++k)
-    rows.add({"st"[k / 9], "012"[k / 3 % 3], "xyz"[k % 3]}, number(pair[k / 9][k / 3 % 3][k % 3]));
-}
-
 void add_origin(Rows& rows, const verify::Origin& origin)
 {
   rows.add("id", origin.family + "-" + std::to_string(origin.index));
@@ -209,6 +196,115 @@ class Checked_folder {
   std::map<std::string, std::string> checksums_, meshes_;  // by the file's name, and by the mesh's text
 };
 
+void add_distance(Rows& rows, const verify::Distance& distance)
+{
+  rows.add("log2_rho", of_distance(distance.log2_rho));
+  rows.add("log2_ulps", of_distance(distance.log2_ulps));
+}
+
+void add_poses(Rows& rows, const kernel::Pose& a, const kernel::Pose& b)
+{
+  for (const auto& [body, pose] : {std::pair('a', &a), {'b', &b}})
+    for (int k = 0; k < 12; ++k) rows.add(body + std::to_string(k / 4) + std::to_string(k % 4), number(*pose, k));
+}
+
+/// The corners of both triangles of a case, placed: s0 s1 s2 and t0 t1 t2.
+void add_triangles(Rows& rows, const verify::Predicate_case& c)
+{
+  const auto pair = verify::placed_triangles(c);
+  for (std::size_t k = 0; k < 18; ++k)
+    rows.add({"st"[k / 9], "012"[k / 3 % 3], "xyz"[k % 3]}, number(pair[k / 9][k / 3 % 3][k % 3]));
+}
+
+/// The points of a case as they are given, and their poses.
+void add_points(Rows& rows, const verify::Predicate_case& c)
+{
+  const std::pair<const char*, const kernel::Vertex*> points[] = {
+      {"v0", &c.v[0]}, {"v1", &c.v[1]}, {"v2", &c.v[2]}, {"v3", &c.v[3]}, {"p", &c.p}, {"q", &c.q}, {"r", &c.r}};
+  for (const auto& [name, point] : points)
+    for (int i = 0; i < 3; ++i) rows.add(name + std::string(1, "xyz"[i]), (*point)[i]);
+  add_poses(rows, c.pose_a, c.pose_b);
+}
+
+/// The rows of the cases. Functions throw std::runtime_error where the two truths disagree.
+struct Tables {
+  Rows cases, predicates, triangles;
+
+  void add(verify::Object_case c, Checked_folder& kept)
+  {
+    c.a = std::make_shared<const covering::Polyhedron>(as_triangles(*c.a));
+    c.b = std::make_shared<const covering::Polyhedron>(as_triangles(*c.b));
+    const verify::Brute_body a(*c.a), b(*c.b);
+    add_origin(cases, c.origin);
+    cases.add("mesh_a", kept.mesh(*c.a));
+    cases.add("mesh_b", kept.mesh(*c.b));
+    for (const Question question : {Question::surface, Question::solid}) {
+      const bool truth = verify::collide(a, c.pose_a, b, c.pose_b, question);
+      agree(truth == verify::integer_truth::collide(c, question));
+      cases.add(question == Question::solid ? "solid" : "surface", truth);
+    }
+    add_distance(cases, verify::distance(c));
+    add_poses(cases, c.pose_a, c.pose_b);
+    cases.end();
+  }
+
+  void add(const verify::Predicate_case& c)
+  {
+    for (const verify::Predicate predicate : verify::all_predicates) {
+      const auto truth = verify::true_answer(predicate, c);
+      agree(truth == verify::integer_truth::answer(predicate, c));
+      if (!truth) continue;
+      const bool is_of_triangles = predicate == verify::Predicate::triangle_triangle;
+      Rows& rows = is_of_triangles ? triangles : predicates;
+      add_origin(rows, c.origin);
+      if (!is_of_triangles) rows.add("predicate", verify::to_string(predicate));
+      rows.add("truth", *truth);
+      add_distance(rows, verify::distance(predicate, c));
+      is_of_triangles ? add_triangles(rows, c) : add_points(rows, c);
+      rows.end();
+    }
+  }
+
+  /// Returns the tables by the names of their files.
+  std::map<std::string, const Rows*> by_name() const
+  {
+    return {{"cases", &cases}, {"predicates", &predicates}, {"triangles", &triangles}};
+  }
+};
+
+Tables tables_of(std::uint64_t seed, std::uint64_t cases, Checked_folder& kept)
+{
+  Tables tables;
+  Progress progress("cases", 2 * cases * verify::families().size());
+  for (const verify::Family& family : verify::families())
+    for (std::uint64_t k = 0; k < cases; ++k) {
+      tables.add(family.object_case(seed, k), kept);
+      progress.step();
+      tables.add(family.predicate_case(seed, k));
+      progress.step();
+    }
+  return tables;
+}
+
+/// Returns the description in Croissant. Requires that the files are in the folder.
+Json croissant_of(const std::map<std::string, const Rows*>& tables, const Checked_folder& kept)
+{
+  Json croissant = Json::parse(dataset_files::croissant_json);
+  const Json meanings = croissant["columns"];
+  croissant.erase("columns");
+  croissant["version"] = TETRACONE_VERSION;
+  croissant["datePublished"] = dataset_files::date_released;
+  for (Json& file : croissant["distribution"])
+    if (file["@type"] == "cr:FileObject") {
+      const std::string name = file["contentUrl"];
+      file["contentSize"] = std::to_string(kept.size(name)) + " B";
+      file["sha256"] = kept.sum(name);
+    }
+  for (Json& table : croissant["recordSet"])
+    table["field"] = fields(table["@id"], tables.at(table["@id"])->columns(), meanings);
+  return croissant;
+}
+
 }  // namespace
 
 void export_dataset(const Experiment_options& options)
@@ -217,61 +313,8 @@ void export_dataset(const Experiment_options& options)
   const std::filesystem::path folder = options.out / "dataset";
   make_folder(folder / "meshes");
   Checked_folder kept(folder);
-  Rows objects, predicates, triangles;
-  Progress progress("cases", 2 * cases * verify::families().size());
-  for (const verify::Family& family : verify::families())
-    for (std::uint64_t k = 0; k < cases; ++k) {
-      verify::Object_case c = family.object_case(options.seed, k);
-      c.a = std::make_shared<const covering::Polyhedron>(as_triangles(*c.a));
-      c.b = std::make_shared<const covering::Polyhedron>(as_triangles(*c.b));
-      const verify::Brute_body a(*c.a), b(*c.b);
-      add_origin(objects, c.origin);
-      objects.add("mesh_a", kept.mesh(*c.a));
-      objects.add("mesh_b", kept.mesh(*c.b));
-      for (const Question question : {Question::surface, Question::solid}) {
-        const bool truth = verify::collide(a, c.pose_a, b, c.pose_b, question);
-        agree(truth == verify::integer_truth::collide(c, question));
-        objects.add(question == Question::solid ? "solid" : "surface", truth);
-      }
-      const verify::Distance away = verify::distance(c);
-      objects.add("log2_rho", of_distance(away.log2_rho));
-      objects.add("log2_ulps", of_distance(away.log2_ulps));
-      add_pose(objects, 'a', c.pose_a);
-      add_pose(objects, 'b', c.pose_b);
-      objects.end();
-      progress.step();
-
-      const verify::Predicate_case p = family.predicate_case(options.seed, k);
-      for (const verify::Predicate predicate : verify::all_predicates) {
-        const auto truth = verify::true_answer(predicate, p);
-        agree(truth == verify::integer_truth::answer(predicate, p));
-        if (!truth) continue;
-        const bool is_of_triangles = predicate == verify::Predicate::triangle_triangle;
-        Rows& rows = is_of_triangles ? triangles : predicates;
-        add_origin(rows, p.origin);
-        if (!is_of_triangles) rows.add("predicate", verify::to_string(predicate));
-        rows.add("truth", *truth);
-        const verify::Distance from = verify::distance(predicate, p);
-        rows.add("log2_rho", of_distance(from.log2_rho));
-        rows.add("log2_ulps", of_distance(from.log2_ulps));
-        if (is_of_triangles) {
-          add_triangles(rows, p);
-          rows.end();
-          continue;
-        }
-        const std::pair<const char*, const kernel::Vertex*> points[] = {
-            {"v0", &p.v[0]}, {"v1", &p.v[1]}, {"v2", &p.v[2]}, {"v3", &p.v[3]}, {"p", &p.p}, {"q", &p.q}, {"r", &p.r}};
-        for (const auto& [name, point] : points)
-          for (int i = 0; i < 3; ++i) rows.add(name + std::string(1, "xyz"[i]), (*point)[i]);
-        add_pose(rows, 'a', p.pose_a);
-        add_pose(rows, 'b', p.pose_b);
-        rows.end();
-      }
-      progress.step();
-    }
-  const std::map<std::string, const Rows*> tables = {
-      {"cases", &objects}, {"predicates", &predicates}, {"triangles", &triangles}};
-  for (const auto& [name, rows] : tables) {
+  const Tables tables = tables_of(options.seed, cases, kept);
+  for (const auto& [name, rows] : tables.by_name()) {
     kept.add(name + ".csv", rows->csv());
     kept.add(name + ".jsonl", rows->json_lines());
   }
@@ -290,20 +333,7 @@ void export_dataset(const Experiment_options& options)
                                 {"again", again()}}
                                    .dump(1) +
                                "\n");
-
-  Json croissant = Json::parse(dataset_files::croissant_json);
-  const Json meanings = croissant["columns"];
-  croissant.erase("columns");
-  croissant["version"] = TETRACONE_VERSION;
-  croissant["datePublished"] = dataset_files::date_released;
-  for (Json& file : croissant["distribution"])
-    if (file["@type"] == "cr:FileObject") {
-      const std::string name = file["contentUrl"];
-      file["contentSize"] = std::to_string(kept.size(name)) + " B";
-      file["sha256"] = kept.sum(name);
-    }
-  for (Json& table : croissant["recordSet"])
-    table["field"] = fields(table["@id"], tables.at(table["@id"])->columns(), meanings);
+  const Json croissant = croissant_of(tables.by_name(), kept);
   kept.add("croissant.json", croissant.dump(1) + "\n");
   kept.add("README.md",
            std::string(dataset_files::readme_md) + described_fields(croissant["recordSet"]) + described.markdown);

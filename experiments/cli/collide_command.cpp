@@ -22,6 +22,7 @@ struct Collide_options : Pair_options {
 
   /// True when lists are asked for instead of answers; they need no solid.
   bool lists() const { return features || contacts; }
+  bool needs_solid(Question asked) const { return asked == Question::solid && !lists(); }
   Row_format format() const { return {json, !csv.empty(), time, relation}; }
 };
 
@@ -38,15 +39,15 @@ Placed_models read_models(const Collide_options& options, Question question)
     throw CLI::ValidationError("collide " + options.names.a,
                                "expected a second model, B: only a case file, *.case.json, has both bodies");
   Pose_pairs poses = read_pose_pairs(options.names);
-  const bool solid = question == Question::solid && !options.lists();
-  auto [a, b] = load_models(options.names.a, options.names.b, options.names.models, solid);
+  auto [a, b] = load_models(options.names.a, options.names.b, options.names.models, options.needs_solid(question));
   return {std::move(a), std::move(b), std::move(poses), question};
 }
 
-Placed_models models_of(const verify::Object_case& c, const std::string& file, Question question, bool must_be_solid)
+Placed_models models_of(const verify::Object_case& c, const Collide_options& options, Question question)
 {
+  const std::string& file = options.names.a;
   const auto body = [&](const covering::Polyhedron& polyhedron, const char* name) {
-    if (must_be_solid && !covering::is_closed(polyhedron))
+    if (options.needs_solid(question) && !covering::is_closed(polyhedron))
       throw covering::Input_error(file, 0, "body " + std::string(name) + " is an open surface and has no solid",
                                   "expected --question surface");
     return whole_model(file, polyhedron);
@@ -153,7 +154,7 @@ std::vector<Answer_row> ask(const verify::Object_subject& subject, const Placed_
 }
 
 /// Throws CLI::ValidationError when given options exclude each other, or need another one.
-void require_contact_options(const Collide_options& options)
+void require_options(const Collide_options& options)
 {
   const auto require = [](bool given, bool holds, const char* name, const std::string& expected) {
     if (given && !holds) throw CLI::ValidationError(name, expected);
@@ -161,6 +162,9 @@ void require_contact_options(const Collide_options& options)
   const std::vector<std::string> exact = exact_kernel_names();
   const bool rounds = std::ranges::find(exact, options.kernel) == exact.end();
   const std::string expected = "expected with an exact kernel: " + alternatives(exact);
+  require(options.time, !options.features, "--time", "expected without --features");
+  require(!options.compare.empty(), !options.time && !options.features, "--compare",
+          "expected without --time and --features");
   require(options.contacts, !options.features, "--contacts", "expected without --features");
   require(options.contacts, !options.time, "--time", "expected without --contacts");
   require(options.contacts, options.compare.empty(), "--compare", "expected without --contacts");
@@ -208,17 +212,88 @@ std::vector<std::string> kernels_of(const Collide_options& options)
   return kernels;
 }
 
+/// Returns what each kernel is asked with.
+std::vector<Query_options> ways_of(const std::vector<std::string>& kernels, Method method)
+{
+  std::vector<Query_options> ways;
+  for (const std::string& kernel : kernels) {
+    const auto way = parse_kernel(kernel);
+    if (!way) throw CLI::ValidationError("--kernel " + kernel, "expected " + kernel_names());
+    ways.push_back(*way);
+    ways.back().method = method;
+  }
+  return ways;
+}
+
+/// All that one call answers.
+struct Collide_answers {
+  std::vector<std::string> names;  // of the columns: kernels, then external programs
+  std::vector<std::vector<Answer_row>> columns;
+  std::string lists, curves, proofs;
+  bool failed = false;  // one of the programs
+};
+
+/// Asks the kernels about the points of a case. Throws CLI::ValidationError for an option about bodies.
+void answer_predicate(const verify::Case_file& c, const Collide_options& options, bool question_is_given,
+                      Collide_answers& answers)
+{
+  const std::string& file = options.names.a;
+  for (const auto& [given, name] : {std::pair(question_is_given, "--question"),
+                                    {options.features, "--features"},
+                                    {options.contacts, "--contacts"},
+                                    {options.relation, "--relation"},
+                                    {options.time, "--time"},
+                                    {!options.certificate.empty(), "--certificate"},
+                                    {!options.others.commands.empty(), "--subject-command"},
+                                    {options.method != "tree", "--method"}})
+    if (given) throw CLI::ValidationError(name, "expected with bodies; " + file + " asks a predicate");
+  for (const std::string& kernel : answers.names) answers.columns.push_back({answer_of(c, kernel, file)});
+}
+
+/// Asks about two bodies in all ways, and then the external programs.
+void answer_bodies(const Placed_models& scene, const std::vector<Query_options>& ways, const Collide_options& options,
+                   Collide_answers& answers)
+{
+  for (const Query_options& way : ways) {
+    const Stopwatch since;
+    Query query(scene.a.body, scene.b.body, options.lists() ? Question::surface : scene.question, way);
+    const double ready = since.milliseconds();
+    if (options.lists()) {
+      answers.lists =
+          options.features ? features_of(query, scene, options) : contacts_of(query, scene, options, answers.curves);
+      continue;
+    }
+    const Answers column = ask(query, scene.poses, options.passes(), options.relation);
+    if (options.time) tell_first_query(query, scene, column, ready);
+    if (!options.certificate.empty() && answers.proofs.empty()) answers.proofs = certificate(query, scene);
+    answers.columns.push_back(column.rows);
+  }
+  for (const verify::Object_subject& command : command_subjects(options.others, verify::object_subjects())) {
+    answers.columns.push_back(ask(command, scene, answers.failed));
+    answers.names.push_back(command.name);
+  }
+}
+
+void write_all(const Collide_answers& answers, const Collide_options& options)
+{
+  std::string text = answers.lists;
+  if (!options.lists())
+    text = answers.columns.size() == 1 ? answer_rows(answers.columns[0], options.format())
+                                       : answer_columns(answers.names, answers.columns, options.format());
+  write_answers(options.csv, text);
+  if (!options.curves.empty()) write_whole(options.curves, answers.curves);
+  if (!options.certificate.empty()) write_whole(options.certificate, answers.proofs);
+}
+
 void run_collide(const Collide_options& options, bool question_is_given)
 {
   Question question = required_question(options.question);
   const auto method = parse_method(options.method);
   if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, tuned, paper or brute");
   options.require(true);
-  if (options.time && options.features) throw CLI::ValidationError("--time", "expected without --features");
-  if (!options.compare.empty() && (options.time || options.features))
-    throw CLI::ValidationError("--compare", "expected without --time and --features");
-  require_contact_options(options);
-  std::vector<std::string> kernels = kernels_of(options);
+  require_options(options);
+  Collide_answers answers;
+  answers.names = kernels_of(options);
   if (!options.curves.empty()) options.names.refuse_as_output(options.curves);
   options.require_files();
   if (!options.curves.empty() && !options.csv.empty() && is_same_file(options.curves, options.csv))
@@ -229,57 +304,16 @@ void run_collide(const Collide_options& options, bool question_is_given)
     options.names.refuse_all_but_case();
     c = verify::read_case(options.names.a);
   }
-  std::vector<std::vector<Answer_row>> columns;
-  std::string text, curves, proofs;
-  bool failed = false;
   if (c && c->level == verify::Case_kind::predicate) {
-    for (const auto& [given, name] : {std::pair(question_is_given, "--question"),
-                                      {options.features, "--features"},
-                                      {options.contacts, "--contacts"},
-                                      {options.relation, "--relation"},
-                                      {options.time, "--time"},
-                                      {!options.certificate.empty(), "--certificate"},
-                                      {!options.others.commands.empty(), "--subject-command"},
-                                      {options.method != "tree", "--method"}})
-      if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
-    for (const std::string& kernel : kernels) columns.push_back({answer_of(*c, kernel, options.names.a)});
+    answer_predicate(*c, options, question_is_given, answers);
   } else {
-    std::vector<Query_options> ways;
-    for (const std::string& kernel : kernels) {
-      const auto way = parse_kernel(kernel);
-      if (!way) throw CLI::ValidationError("--kernel " + kernel, "expected " + kernel_names());
-      ways.push_back(*way);
-      ways.back().method = *method;
-    }
+    const std::vector<Query_options> ways = ways_of(answers.names, *method);
     if (c && !question_is_given && !options.relation) question = c->question;
-    const bool solid = question == Question::solid && !options.lists();
-    const Placed_models scene =
-        c ? models_of(*c->object, options.names.a, question, solid) : read_models(options, question);
-    for (const Query_options& way : ways) {
-      const Stopwatch since;
-      Query query(scene.a.body, scene.b.body, solid ? Question::solid : Question::surface, way);
-      const double ready = since.milliseconds();
-      if (options.lists()) {
-        text = options.features ? features_of(query, scene, options) : contacts_of(query, scene, options, curves);
-        continue;
-      }
-      const Answers answers = ask(query, scene.poses, options.passes(), options.relation);
-      if (options.time) tell_first_query(query, scene, answers, ready);
-      if (!options.certificate.empty() && proofs.empty()) proofs = certificate(query, scene);
-      columns.push_back(answers.rows);
-    }
-    for (const verify::Object_subject& command : command_subjects(options.others, verify::object_subjects())) {
-      columns.push_back(ask(command, scene, failed));
-      kernels.push_back(command.name);
-    }
+    answer_bodies(c ? models_of(*c->object, options, question) : read_models(options, question), ways, options,
+                  answers);
   }
-  if (!options.lists())
-    text = columns.size() == 1 ? answer_rows(columns.front(), options.format())
-                               : answer_columns(kernels, columns, options.format());
-  write_answers(options.csv, text);
-  if (!options.curves.empty()) write_whole(options.curves, curves);
-  if (!options.certificate.empty()) write_whole(options.certificate, proofs);
-  if (failed) throw CLI::RuntimeError(1);
+  write_all(answers, options);
+  if (answers.failed) throw CLI::RuntimeError(1);
 }
 
 }  // namespace

@@ -208,7 +208,8 @@ std::vector<Motion> motions_between(verify::Scene_file& file, std::size_t frame,
   return motions;
 }
 
-void run(const Options& options)
+/// Returns how the options ask. Throws CLI::ValidationError where they exclude each other, and for a bad value.
+Scene_options scene_options(const Options& options)
 {
   const Question question = required_question(options.question);
   const auto query = parse_kernel(options.kernel);
@@ -230,52 +231,70 @@ void run(const Options& options)
   if (!options.within.empty() && (moves || options.budget != 0))
     throw CLI::ValidationError("--within", "expected without --motion and --budget");
   if (options.budget < 0) throw CLI::ValidationError("--budget", "expected nanoseconds, a number from 0");
+  return {.question = question,
+          .query = *query,
+          .threads = options.threads,
+          .memory = options.memory,
+          .budget = std::chrono::nanoseconds(options.budget)};
+}
 
+/// Answers the motions from each frame to the next.
+void answer_motions(verify::Scene_file& file, Scene& scene, const Options& options, Rows& rows)
+{
+  // One frame has no motions. Its poses are read all the same, since they may be wrong.
+  if (file.frame_count() == 1) {
+    if (options.motion == "linear")
+      file.frame(0);
+    else
+      file.rigid_frame(0);
+  }
+  const std::size_t steps = std::max<std::size_t>(file.frame_count(), 1) - 1;
+  Progress progress("motions", steps);
+  for (std::size_t frame = 0; frame < steps; ++frame) {
+    const std::vector<Motion> motions = motions_between(file, frame, options);
+    const Stopwatch watch;
+    const std::vector<Scene_contact> contacts = scene.first_contacts(motions);
+    rows.add(frame, scene, contacts, watch.nanoseconds());
+    progress.step();
+  }
+}
+
+/// Answers the frames.
+void answer_frames(verify::Scene_file& file, Scene& scene, const Options& options, Rows& rows)
+{
+  const std::size_t frames = file.frame_count();
+  Progress progress("frames", frames);
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    const std::vector<kernel::Pose> poses = file.frame(frame);
+    const Stopwatch watch;
+    for (std::size_t body = 0; body < poses.size(); ++body) scene.place(body, poses[body]);
+    if (options.within.empty()) {
+      const std::vector<Scene_pair>& pairs = scene.pairs();
+      std::vector<Solid_contact> relations;
+      if (options.relation)
+        for (const Scene_pair& pair : pairs) relations.push_back(scene.solid_relation(pair.a, pair.b));
+      rows.add(frame, scene, pairs, relations, watch.nanoseconds());
+    } else {
+      const std::vector<Scene_distance> near = scene.pairs_within(options.within);
+      rows.add(frame, scene, near, watch.nanoseconds());
+    }
+    progress.step();
+  }
+}
+
+void run(const Options& options)
+{
+  const Scene_options how = scene_options(options);
   verify::Scene_file file(options.file, options.motion == "rigid");
   if (!options.csv.empty()) refuse_input(options.csv, file.files());
-  Scene scene = scene_of(file,
-                         {.question = question,
-                          .query = *query,
-                          .threads = options.threads,
-                          .memory = options.memory,
-                          .budget = std::chrono::nanoseconds(options.budget)},
-                         options.models);
+  Scene scene = scene_of(file, how, options.models);
   Rows rows(options);
-  const std::size_t steps = file.frame_count() - (moves && file.frame_count() > 0 ? 1 : 0);
-  Progress progress(moves ? "motions" : "frames", steps);
   std::exception_ptr failed;
   try {
-    // One frame has no motions. Its poses are read all the same, since they may be wrong.
-    if (moves && file.frame_count() == 1) {
-      if (options.motion == "linear")
-        file.frame(0);
-      else
-        file.rigid_frame(0);
-    }
-    for (std::size_t frame = 0; frame < steps; ++frame) {
-      if (moves) {
-        const std::vector<Motion> motions = motions_between(file, frame, options);
-        const Stopwatch watch;
-        const std::vector<Scene_contact> contacts = scene.first_contacts(motions);
-        rows.add(frame, scene, contacts, watch.nanoseconds());
-        progress.step();
-        continue;
-      }
-      const std::vector<kernel::Pose> poses = file.frame(frame);
-      const Stopwatch watch;
-      for (std::size_t body = 0; body < poses.size(); ++body) scene.place(body, poses[body]);
-      if (options.within.empty()) {
-        const std::vector<Scene_pair>& pairs = scene.pairs();
-        std::vector<Solid_contact> relations;
-        if (options.relation)
-          for (const Scene_pair& pair : pairs) relations.push_back(scene.solid_relation(pair.a, pair.b));
-        rows.add(frame, scene, pairs, relations, watch.nanoseconds());
-      } else {
-        const std::vector<Scene_distance> near = scene.pairs_within(options.within);
-        rows.add(frame, scene, near, watch.nanoseconds());
-      }
-      progress.step();
-    }
+    if (options.motion.empty())
+      answer_frames(file, scene, options, rows);
+    else
+      answer_motions(file, scene, options, rows);
   } catch (const Error&) {
     failed = std::current_exception();  // what was computed is kept
   }
