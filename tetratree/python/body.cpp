@@ -314,32 +314,12 @@ py::tuple hits(const Python_body& self, const py::object& origins, const py::obj
   return py::make_tuple(array(ray_of), array(faces), array(ts));
 }
 
-}  // namespace
+using Body_class = py::class_<Python_body, std::shared_ptr<Python_body>>;
 
-void add_body(py::module_& module)
+/// Adds what is asked of points.
+void add_points(Body_class& body)
 {
-  const auto origins = py::arg("origins"), directions = py::arg("directions");
-  const auto end = py::arg("end") = py::none();
-  py::class_<Python_body, std::shared_ptr<Python_body>>(module, "Body", R"(Body(vertices, faces, triangles=None)
-
-A polyhedron that queries can be asked about. Immutable, and shared by any number of threads.
-
-vertices: array (n, 3) of doubles, taken exactly; of texts, a decimal is the double nearest to it.
-faces: array (m, k) of vertex numbers, or a sequence of faces. Each face is a sequence of numbers, or of loops of
-numbers. The outer boundary is the first loop; holes follow, which run the other way round.
-triangles: array (n, 4) of a face and three vertices each, which cover some faces exactly, in their direction. Any other
-face of more than three corners becomes a fan if it can.
-
-Open and closed surfaces, several shells, cavities and degenerate elements are legal. Faces of more than three corners
-must be exactly planar. Raises Error for what is no polyhedron.
-
->>> import tetracone
->>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
->>> body
-Body(4 vertices, 4 faces, closed)
-)")
-      .def(py::init(&made), py::arg("vertices"), py::arg("faces"), py::arg("triangles") = py::none())
-      .def("inside", &inside, py::arg("points"), R"(inside(points)
+  body.def("inside", &inside, py::arg("points"), R"(inside(points)
 
 Where points are: 1 inside the solid, 0 on its surface, -1 outside. Exact.
 
@@ -369,8 +349,15 @@ Raises Error for an open surface, and for a number that is not finite, which it 
 array([ 2. ,  5. , -0.5])
 >>> body.nearest([-3, 0, -4])[1:]
 (array([0., 0., 0.]), 'vertex 0', True)
-)")
-      .def("first_hit", &first_hit, origins, directions, end, R"(first_hit(origins, directions, end=None)
+)");
+}
+
+/// Adds what is asked of rays.
+void add_rays(Body_class& body)
+{
+  const auto origins = py::arg("origins"), directions = py::arg("directions");
+  const auto end = py::arg("end") = py::none();
+  body.def("first_hit", &first_hit, origins, directions, end, R"(first_hit(origins, directions, end=None)
 
 The first face that each ray origin + t direction, t >= 0, meets, and t: (faces, t). Exact: of least t, and of those the
 face of the least number; each t is the double nearest to the exact one. Where a ray meets nothing, -1 and infinity; nor
@@ -397,8 +384,15 @@ first_hit. Arguments and errors are as of first_hit.
 >>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> body.is_hit([0.25, 0.25, 9], [0, 0, -1], end=[8.5, 8])
 array([ True, False])
-)")
-      .def("crossings", &crossings, origins, directions, py::arg("faces"), R"(crossings(origins, directions, faces)
+)");
+}
+
+/// Adds how rays go through faces.
+void add_crossed_faces(Body_class& body)
+{
+  const auto origins = py::arg("origins"), directions = py::arg("directions");
+  const auto end = py::arg("end") = py::none();
+  body.def("crossings", &crossings, origins, directions, py::arg("faces"), R"(crossings(origins, directions, faces)
 
 How each ray goes through a face that it meets: array (n,) of "entering" against the face's normal, "leaving" with it,
 and "along" its plane. One ray and face -> a str. For face -1, which first_hit says where there is none, it is "".
@@ -436,8 +430,13 @@ origins, directions, end: as first_hit -> arrays (m,) of int64, int64 and float6
 >>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> body.hits([0.25, 0.25, -1], [[0, 0, 1], [0, 1, 0]])
 (array([0, 0]), array([0, 3]), array([1. , 1.5]))
-)")
-      .def(
+)");
+}
+
+/// Adds what is done with the tree.
+void add_trees(Body_class& body)
+{
+  body.def(
           "make_all", [](const Python_body& self, std::size_t threads) { self.body.make_all(threads); },
           py::arg("threads") = 1, py::call_guard<py::gil_scoped_release>(),
           R"(make_all(threads=1)
@@ -458,8 +457,13 @@ Raises Error for another suffix, and for a file that cannot be written; then not
 ...     tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).save(file)
 ...     tetracone.read(file)
 Body(3 vertices, 1 faces, open)
-)")
-      .def(
+)");
+}
+
+/// Adds where the surface meets itself.
+void add_self_contacts(Body_class& body)
+{
+  body.def(
           "self_intersections", [](const Python_body& self) { return self.body.self_intersections(); },
           py::call_guard<py::gil_scoped_release>(), R"(self_intersections()
 
@@ -479,8 +483,13 @@ False
             const py::gil_scoped_release unlocked;
             return self.body.is_simple();
           },
-          "True when no two faces intersect improperly, see self_intersections; decided once, exactly.")
-      .def_property_readonly(
+          "True when no two faces intersect improperly, see self_intersections; decided once, exactly.");
+}
+
+/// Adds the parts of the polyhedron.
+void add_parts(Body_class& body)
+{
+  body.def_property_readonly(
           "is_closed", [](const Python_body& self) { return self.body.is_closed(); },
           "True when every directed edge occurs as often as its reverse: then the body bounds a solid.")
       .def_property_readonly(
@@ -502,7 +511,37 @@ False
         return py::make_tuple(py::type::of(self),
                               py::make_tuple(self.attr("vertices"), self.attr("faces"), self.attr("triangles")));
       });
+}
 
+}  // namespace
+
+void add_body(py::module_& module)
+{
+  Body_class body(module, "Body", R"(Body(vertices, faces, triangles=None)
+
+A polyhedron that queries can be asked about. Immutable, and shared by any number of threads.
+
+vertices: array (n, 3) of doubles, taken exactly; of texts, a decimal is the double nearest to it.
+faces: array (m, k) of vertex numbers, or a sequence of faces. Each face is a sequence of numbers, or of loops of
+numbers. The outer boundary is the first loop; holes follow, which run the other way round.
+triangles: array (n, 4) of a face and three vertices each, which cover some faces exactly, in their direction. Any other
+face of more than three corners becomes a fan if it can.
+
+Open and closed surfaces, several shells, cavities and degenerate elements are legal. Faces of more than three corners
+must be exactly planar. Raises Error for what is no polyhedron.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> body
+Body(4 vertices, 4 faces, closed)
+)");
+  body.def(py::init(&made), py::arg("vertices"), py::arg("faces"), py::arg("triangles") = py::none());
+  add_points(body);
+  add_rays(body);
+  add_crossed_faces(body);
+  add_trees(body);
+  add_self_contacts(body);
+  add_parts(body);
   module.def("read", &read, py::arg("path"), R"(read(path)
 
 The body of a file: OFF, OBJ, PLY, STL or TetGen .poly, or one that was saved (.body), by the suffix. Raises Error,

@@ -94,17 +94,6 @@ void require_keywords(const py::args& more, const std::string& call)
     throw py::type_error("query: poses of both bodies by position, whose order was misread; expected " + call);
 }
 
-/// Returns the method `name`, which takes poses of B, and by keyword only poses of A. It calls answer(query, poses of
-/// B, poses of A).
-template <auto answer>
-auto of_poses(const char* name)
-{
-  return [name](Locked_query& self, const py::object& poses_b, const py::args& more, const py::object& poses_a) {
-    require_keywords(more, std::string(name) + "(poses_a=..., poses_b=...)");
-    return answer(self, poses_b, poses_a);
-  };
-}
-
 /// Calls answer(k, query, pose of a, pose of b) for each pair k. Throws Error with the name of a pose that is none.
 template <class Answer_of>
 void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answer)
@@ -502,49 +491,27 @@ py::dict depth_columns(std::span<const Depth> found, bool is_one)
   return is_one ? single_values(columns) : columns;
 }
 
-void add_query(py::module_& module)
+namespace {
+
+using Query_class = py::class_<Locked_query, std::shared_ptr<Locked_query>>;
+
+/// Adds the method `name`, which takes poses of B, and by keyword only poses of A. It calls answer(query, poses of B,
+/// poses of A).
+template <auto answer>
+void add_of_poses(Query_class& query, const char* name, const char* doc)
 {
-  module.attr("kernels") = tuple_of(example_names());
-  module.attr("methods") = tuple_of(method_names());
+  const auto method = [name](Locked_query& self, const py::object& poses_b, const py::args& more,
+                             const py::object& poses_a) {
+    require_keywords(more, std::string(name) + "(poses_a=..., poses_b=...)");
+    return answer(self, poses_b, poses_a);
+  };
+  query.def(name, method, py::arg("poses_b"), py::arg("poses_a") = py::none(), doc);
+}
 
-  const auto poses_b = py::arg("poses_b");
-  const auto poses_a = py::arg("poses_a") = py::none();
-  const auto poses_b0 = py::arg("poses_b0"), poses_b1 = py::arg("poses_b1");
-  const auto poses_a0 = py::arg("poses_a0") = py::none(), poses_a1 = py::arg("poses_a1") = py::none(),
-             kind = py::arg("kind") = "linear";
-  py::class_<Locked_query, std::shared_ptr<Locked_query>>(
-      module, "Query",
-      (R"(Query(a, b, question="solid", kernel="adaptive", method="tree", remember=False)
-
-Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread answers
-fastest, threads that share one wait for each other. The interpreter's lock is released while it answers.
-
-question: "solid", do the two closed solids share a point, or "surface", do the two closed surfaces. Touching counts.
-kernel: the arithmetic that decides, of `tetracone.kernels`; these are exact: )" +
-       listed(exact_kernel_names()) + R"(. The tolerance
-of double-eps=E, or double-eps=rel:E, is any E >= 0.
-method: the way to the answer, of `tetracone.methods`.
-remember: keep from pose to pose what decided the last one, for motions in small steps. Changes no answer.
-
-A pose is the affine map x -> M x + t, row-major (3, 4), or (4, 4) with the last row 0 0 0 1; taken exactly. An array of
-n poses, (n, 3, 4) or (n, 4, 4), has n answers; so has one pose of one body with n of the other. Poses of doubles are
-read where they lie. Poses of fractions.Fraction, or texts "n/d", are taken exactly too: a rotation that is truly one
-has rational numbers.
-
-Raises Error when an open surface is asked for its solid, and for a pose that is none, which it names by its place.
-
->>> import numpy as np, tetracone
->>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
->>> query = tetracone.Query(a, a)
->>> poses = np.tile(np.eye(3, 4), (3, 1, 1))
->>> poses[:, 0, 3] = [0.5, 1, np.nextafter(1, 2)]
->>> query.collide(poses)
-array([ True,  True, False])
-)")
-          .c_str())
-      .def(py::init(&made_query), py::arg("a"), py::arg("b"), py::arg("question") = "solid",
-           py::arg("kernel") = "adaptive", py::arg("method") = "tree", py::arg("remember") = false)
-      .def("collide", of_poses<&collide>("collide"), poses_b, poses_a, R"(collide(poses_b, *, poses_a=None)
+/// Adds how the bodies stand to each other.
+void add_relations(Query_class& query)
+{
+  add_of_poses<&collide>(query, "collide", R"(collide(poses_b, *, poses_a=None)
 
 Whether the bodies collide: array (n,) of bool. For one pose of each body, a bool.
 
@@ -555,8 +522,8 @@ keywords: collide(poses_a=..., poses_b=...). TypeError for two sets by position.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).collide([["1/3", 0, 0, "2/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
 True
-)")
-      .def("relation", of_poses<&relation>("relation"), poses_b, poses_a, R"(relation(poses_b, *, poses_a=None)
+)");
+  add_of_poses<&relation>(query, "relation", R"(relation(poses_b, *, poses_a=None)
 
 The relation of the bodies: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a". For one
 pose of each body, a str. Arguments as of `collide`.
@@ -565,9 +532,8 @@ pose of each body, a str. Arguments as of `collide`.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).relation([[0.25, 0, 0, 0.125], [0, 0.25, 0, 0.125], [0, 0, 0.25, 0.125]])
 'b_in_a'
-)")
-      .def("solid_relation", of_poses<&solid_relation>("solid_relation"), poses_b, poses_a,
-           R"(solid_relation(poses_b, *, poses_a=None)
+)");
+  add_of_poses<&solid_relation>(query, "solid_relation", R"(solid_relation(poses_b, *, poses_a=None)
 
 Which of the eight relations of solids holds, and the dimension of what the surfaces share: arrays (n,) of str and of
 int8. The relations are "disjoint", "meet", "overlap", "equal", "inside", "contains", "covered_by" and "covers"; solids
@@ -579,8 +545,13 @@ not adaptive.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).solid_relation([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]])
 ('meet', 0)
-)")
-      .def("overlap", of_poses<&overlap>("overlap"), poses_b, poses_a, R"(overlap(poses_b, *, poses_a=None)
+)");
+}
+
+/// Adds how deep the solids are in each other.
+void add_penetrations(Query_class& query)
+{
+  add_of_poses<&overlap>(query, "overlap", R"(overlap(poses_b, *, poses_a=None)
 
 How much the solids overlap and touch: a dict of arrays.
 
@@ -596,8 +567,9 @@ body, the dict holds single values instead of arrays. Arguments and errors as of
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).overlap([[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_volume"]
 Fraction(1, 48)
-)")
-      .def("exits", &exits, py::arg("direction"), poses_b, poses_a, R"(exits(direction, poses_b, *, poses_a=None)
+)");
+  query.def("exits", &exits, py::arg("direction"), py::arg("poses_b"), py::arg("poses_a") = py::none(),
+            R"(exits(direction, poses_b, *, poses_a=None)
 
 How far a must be moved along a direction for the interiors of the solids to part: a dict.
 
@@ -612,9 +584,10 @@ For one pose of each body, the dict holds single values instead of arrays. Other
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).exits([3, 0, 0], [[1, 0, 0, 0.5], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_first"]
 Fraction(1, 2)
-)")
-      .def("depth", &depth, poses_b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 100000, poses_a,
-           R"(depth(poses_b, *, relative=1e-9, budget=100000, poses_a=None)
+)");
+  query.def("depth", &depth, py::arg("poses_b"), py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 100000,
+            py::arg("poses_a") = py::none(),
+            R"(depth(poses_b, *, relative=1e-9, budget=100000, poses_a=None)
 
 The least translation of a for the interiors of the solids to part, in a bracket that is never wrong: a dict.
 
@@ -634,8 +607,13 @@ poses_b and poses_a are as of `collide`. Raises Error for another `relative`, an
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).depth([[1, 0, 0, 0.75], [0, 1, 0, 0], [0, 0, 1, 0]])["exact_square"]
 Fraction(1, 48)
-)")
-      .def("distance", of_poses<&distance>("distance"), poses_b, poses_a, R"(distance(poses_b, *, poses_a=None)
+)");
+}
+
+/// Adds how far apart the bodies are.
+void add_distances(Query_class& query)
+{
+  add_of_poses<&distance>(query, "distance", R"(distance(poses_b, *, poses_a=None)
 
 How far apart the surfaces are, or for question "solid" the solids, which are 0 apart where they collide: array (n,) of
 float. Each is the double nearest to the exact distance. For one pose of each body, a float. Arguments as of `collide`.
@@ -645,8 +623,9 @@ The kernels adaptive and rational are exact; double rounds. Raises Error for oth
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).distance([[1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 0]])
 0.7071067811865476
-)")
-      .def("within", &within, py::arg("limit"), poses_b, poses_a, R"(within(limit, poses_b, *, poses_a=None)
+)");
+  query.def("within", &within, py::arg("limit"), py::arg("poses_b"), py::arg("poses_a") = py::none(),
+            R"(within(limit, poses_b, *, poses_a=None)
 
 Whether `distance` is at most `limit`, decided exactly: array (n,) of bool. For one pose of each body, a bool. The limit
 is a number, a fractions.Fraction or a text "n/d". Other arguments as of `collide`. Raises Error for a limit that is not
@@ -656,8 +635,9 @@ finite or no number, and as `distance`.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).within("1/3", [[1, 0, 0, "4/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
 True
-)")
-      .def("zone", &zone, py::arg("limit"), poses_b, poses_a, R"(zone(limit, poses_b, *, poses_a=None)
+)");
+  query.def("zone", &zone, py::arg("limit"), py::arg("poses_b"), py::arg("poses_a") = py::none(),
+            R"(zone(limit, poses_b, *, poses_a=None)
 
 The faces of a, in order, that have a point at most `limit` from b, decided exactly: a list of n arrays of uint32. For
 one pose of each body, the array. The limit and the other arguments are as of `within`. Raises Error for a kernel that
@@ -667,9 +647,17 @@ is not adaptive or rational, and for a limit as `within`.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).zone("1/3", [[1, 0, 0, "4/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
 array([0, 1, 3], dtype=uint32)
-)")
-      .def("first_contact", &first_contact, poses_b0, poses_b1, poses_a0, poses_a1, kind,
-           R"(first_contact(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
+)");
+}
+
+/// Adds what is asked of moving bodies.
+void add_motions(Query_class& query)
+{
+  const auto poses_b0 = py::arg("poses_b0"), poses_b1 = py::arg("poses_b1");
+  const auto poses_a0 = py::arg("poses_a0") = py::none(), poses_a1 = py::arg("poses_a1") = py::none(),
+             kind = py::arg("kind") = "linear";
+  query.def("first_contact", &first_contact, poses_b0, poses_b1, poses_a0, poses_a1, kind,
+            R"(first_contact(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
 
 When the moving bodies first share a point, exactly: array (n, 2) of doubles lo <= t <= hi, equal where the time is that
 double, else neighbours; NaN where they never meet. For one pose at each end, a tuple (lo, hi), or None.
@@ -690,16 +678,21 @@ that is not star-shaped.
 (0.41666666666666663, 0.4166666666666667)
 >>> query.first_contact([[1, 0, 0, 0, 2, 0, 0]], [1, 0, 0, 1, 2, 2, 0], kind="rigid")
 array([[nan, nan]])
-)")
-      .def("motion", &first_contact, poses_b0, poses_b1, poses_a0, poses_a1, kind,
-           R"(motion(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
+)");
+  query.def("motion", &first_contact, poses_b0, poses_b1, poses_a0, poses_a1, kind,
+            R"(motion(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
 
 The old name of `first_contact`, kept for one version.
-)")
-      .def("certificate", &certificate, poses_b, py::kw_only(), py::arg("ask") = "collide",
-           py::arg("limit") = py::none(), py::arg("direction") = py::none(), py::arg("relative") = 1e-9,
-           py::arg("budget") = 100000, poses_a,
-           R"(certificate(poses_b, *, ask="collide", limit=None, direction=None, relative=1e-9, budget=100000,
+)");
+}
+
+/// Adds the answers with proofs.
+void add_certificates(Query_class& query)
+{
+  query.def("certificate", &certificate, py::arg("poses_b"), py::kw_only(), py::arg("ask") = "collide",
+            py::arg("limit") = py::none(), py::arg("direction") = py::none(), py::arg("relative") = 1e-9,
+            py::arg("budget") = 100000, py::arg("poses_a") = py::none(),
+            R"(certificate(poses_b, *, ask="collide", limit=None, direction=None, relative=1e-9, budget=100000,
             poses_a=None)
 
 Answers with their proofs: a dict that experiments/certificates/check.py, a program without any code of this package,
@@ -714,8 +707,13 @@ arguments and errors as of the method of that name; "relation" is `solid_relatio
 >>> proofs = tetracone.Query(a, a).certificate([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0]])
 >>> proofs["answers"][0]["answer"], proofs["answers"][0]["cover"]
 ('apart', 0)
-)")
-      .def("features", of_poses<&features>("features"), poses_b, poses_a, R"(features(poses_b, *, poses_a=None)
+)");
+}
+
+/// Adds the lists of what meets.
+void add_lists(Query_class& query)
+{
+  add_of_poses<&features>(query, "features", R"(features(poses_b, *, poses_a=None)
 
 All pairs of an edge of one body and a face of the other that share a point: a list of n structured arrays. The fields
 are `body` (0 for an edge of a and a face of b, else 1), `edge_from` and `edge_to` (the edge's vertices), `face` and
@@ -726,8 +724,8 @@ are `body` (0 for an edge of a and a face of b, else 1), `edge_from` and `edge_t
 >>> found = tetracone.Query(a, a).features([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]])
 >>> len(found), found[0].item()
 (18, (0, 0, 1, 0, 'vertex-vertex'))
-)")
-      .def("contacts", of_poses<&contacts>("contacts"), poses_b, poses_a, R"(contacts(poses_b, *, poses_a=None)
+)");
+  add_of_poses<&contacts>(query, "contacts", R"(contacts(poses_b, *, poses_a=None)
 
 All pairs of faces that share a point, and where: a list of n `Contacts`. For one pose of each body, the `Contacts`.
 Arguments as of `collide`. Raises Error for a kernel that rounds.
@@ -739,7 +737,13 @@ Arguments as of `collide`. Raises Error for a kernel that rounds.
 (4, [0, 1], 'segment', ['interior', 'interior'])
 >>> found.exact_loops(0)[0][0]
 (Fraction(2, 3), Fraction(1, 3), Fraction(0, 1))
-)")
+)");
+}
+
+/// Adds what is counted.
+void add_counts(Query_class& query)
+{
+  query
       .def_property_readonly("statistics", &statistics,
                              "What was done since `clear_statistics`: a dict of counts by their names.")
       .def(
@@ -752,6 +756,53 @@ Arguments as of `collide`. Raises Error for a kernel that rounds.
                              "Bytes of the trees of both bodies, as far as they have been made.")
       .def_property_readonly("node_count", alone(&Query::node_count),
                              "Number of these trees' nodes that have been made.");
+}
+
+}  // namespace
+
+void add_query(py::module_& module)
+{
+  module.attr("kernels") = tuple_of(example_names());
+  module.attr("methods") = tuple_of(method_names());
+
+  Query_class query(module, "Query",
+                    (R"(Query(a, b, question="solid", kernel="adaptive", method="tree", remember=False)
+
+Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread answers
+fastest, threads that share one wait for each other. The interpreter's lock is released while it answers.
+
+question: "solid", do the two closed solids share a point, or "surface", do the two closed surfaces. Touching counts.
+kernel: the arithmetic that decides, of `tetracone.kernels`; these are exact: )" +
+                     listed(exact_kernel_names()) + R"(. The tolerance
+of double-eps=E, or double-eps=rel:E, is any E >= 0.
+method: the way to the answer, of `tetracone.methods`.
+remember: keep from pose to pose what decided the last one, for motions in small steps. Changes no answer.
+
+A pose is the affine map x -> M x + t, row-major (3, 4), or (4, 4) with the last row 0 0 0 1; taken exactly. An array of
+n poses, (n, 3, 4) or (n, 4, 4), has n answers; so has one pose of one body with n of the other. Poses of doubles are
+read where they lie. Poses of fractions.Fraction, or texts "n/d", are taken exactly too: a rotation that is truly one
+has rational numbers.
+
+Raises Error when an open surface is asked for its solid, and for a pose that is none, which it names by its place.
+
+>>> import numpy as np, tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> query = tetracone.Query(a, a)
+>>> poses = np.tile(np.eye(3, 4), (3, 1, 1))
+>>> poses[:, 0, 3] = [0.5, 1, np.nextafter(1, 2)]
+>>> query.collide(poses)
+array([ True,  True, False])
+)")
+                        .c_str());
+  query.def(py::init(&made_query), py::arg("a"), py::arg("b"), py::arg("question") = "solid",
+            py::arg("kernel") = "adaptive", py::arg("method") = "tree", py::arg("remember") = false);
+  add_relations(query);
+  add_penetrations(query);
+  add_distances(query);
+  add_motions(query);
+  add_certificates(query);
+  add_lists(query);
+  add_counts(query);
 }
 
 }  // namespace tetracone::python

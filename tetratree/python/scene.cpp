@@ -227,35 +227,12 @@ py::dict scene_statistics(Locked_scene& self)
   return counts;
 }
 
-}  // namespace
+using Scene_class = py::class_<Locked_scene, std::shared_ptr<Locked_scene>>;
 
-void add_scene(py::module_& module)
+/// Adds which bodies there are, and where.
+void add_bodies(Scene_class& scene)
 {
-  const auto a = py::arg("a"), b = py::arg("b");
-  py::class_<Locked_scene, std::shared_ptr<Locked_scene>>(
-      module, "Scene",
-      R"(Scene(bodies=(), question="solid", kernel="adaptive", threads=1, budget=0)
-
-Many bodies, and exactly the pairs of them that collide, frame after frame. Bodies of one `Body` share all that is made
-of it. A pair that was apart is not asked again before the motion since can have used up the gap. The interpreter's lock
-is released while it answers.
-
-bodies: a sequence of `Body`; their numbers are 0, 1, ...
-question, kernel: as of `Query`.
-threads: number of threads that share the pairs of a frame; 0: all cores.
-budget: seconds for a frame; pairs that are not decided then are `undecided`. 0: no limit.
-
->>> import numpy as np, tetracone
->>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
->>> scene = tetracone.Scene([a] * 4)
->>> poses = np.tile(np.eye(3, 4), (4, 1, 1))
->>> poses[:, 0, 3] = [0, 1, 2, 3.5]
->>> scene.frame(poses).tolist()
-[[0, 1], [1, 2]]
-)")
-      .def(py::init(&made_scene), py::arg("bodies") = py::tuple(), py::arg("question") = "solid",
-           py::arg("kernel") = "adaptive", py::arg("threads") = 1, py::arg("budget") = 0.0)
-      .def("__len__", &Locked_scene::count)
+  scene.def("__len__", &Locked_scene::count)
       .def("add", &Locked_scene::add, py::arg("body").none(false), "add(body)\n\nOne more body; returns its number.")
       .def("remove", &Locked_scene::remove, py::arg("number"),
            "remove(number)\n\nTakes a body out; its number is not used again. Raises Error for a body that is "
@@ -263,12 +240,18 @@ budget: seconds for a frame; pairs that are not decided then are `undecided`. 0:
       .def("replace", &Locked_scene::replace, py::arg("number"), py::arg("body").none(false),
            "replace(number, body)\n\nPuts another `Body` in its place. Raises Error for a body that is not there.")
       .def(
-          "ignore", of_pair(&Scene::ignore), a, b,
+          "ignore", of_pair(&Scene::ignore), py::arg("a"), py::arg("b"),
           "ignore(a, b)\n\nLeaves this pair out of all answers about pairs. Raises Error for a body that is not there, "
           "and for a body with itself.")
       .def("place", &place, py::arg("number"), py::arg("pose"),
            "place(number, pose)\n\nPlaces a body from now on: (3, 4) or (4, 4), as `Query` says. Raises Error for a "
-           "body that is not there, for several poses, and for a pose that is none.")
+           "body that is not there, for several poses, and for a pose that is none.");
+}
+
+/// Adds what is asked of all bodies.
+void add_frames(Scene_class& scene)
+{
+  scene
       .def("pairs", &pairs,
            "pairs()\n\nThe pairs of placed bodies that collide now: (m, 2) uint32, in order. Raises Error where there "
            "are bodies and none is placed, and where an open surface is asked for its solid.")
@@ -323,7 +306,14 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
       .def_property_readonly("undecided", &undecided,
                              "Pairs that the budget left undecided in the last frame: (m, 2) uint32; and (m,) float, "
                              "an upper bound of the distance between any point of one body and any point of the "
-                             "other.")
+                             "other.");
+}
+
+/// Adds how two bodies stand to each other.
+void add_pair_relations(Scene_class& scene)
+{
+  const auto a = py::arg("a"), b = py::arg("b");
+  scene
       .def(
           "relation",
           [](Locked_scene& self, std::size_t first, std::size_t second) {
@@ -370,7 +360,14 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           },
           a, b, py::kw_only(), py::arg("relative") = 1e-9, py::arg("budget") = 100000,
           "depth(a, b, *, relative=1e-9, budget=100000)\n\nThe least translation of a placed body for it and another "
-          "to part: as `Query.depth` says of one pose of each. Raises Error as `relation`, and as that method.")
+          "to part: as `Query.depth` says of one pose of each. Raises Error as `relation`, and as that method.");
+}
+
+/// Adds where two bodies meet, and how far apart they are.
+void add_pair_distances(Scene_class& scene)
+{
+  const auto a = py::arg("a"), b = py::arg("b");
+  scene
       .def(
           "contacts", of_pair(&Scene::contacts), a, b,
           "contacts(a, b)\n\nThe `Contacts` of two placed bodies. Raises Error as `relation`, and as `Query.contacts`.")
@@ -385,10 +382,42 @@ Raises Error for another number of poses, for a body that stands nowhere, and as
           },
           py::arg("limit"), a, b,
           "within(limit, a, b)\n\nWhether that is at most `limit`: a number, a fractions.Fraction or a text \"n/d\", "
-          "decided exactly. Raises Error as `relation`, and as `Query.within`.")
-      .def_property_readonly("statistics", &scene_statistics,
-                             "What the last frame, or the last first contacts, have cost: a dict of moved, kept, "
-                             "candidates, queries, nodes_made, bytes.");
+          "decided exactly. Raises Error as `relation`, and as `Query.within`.");
+}
+
+}  // namespace
+
+void add_scene(py::module_& module)
+{
+  Scene_class scene(module, "Scene",
+                    R"(Scene(bodies=(), question="solid", kernel="adaptive", threads=1, budget=0)
+
+Many bodies, and exactly the pairs of them that collide, frame after frame. Bodies of one `Body` share all that is made
+of it. A pair that was apart is not asked again before the motion since can have used up the gap. The interpreter's lock
+is released while it answers.
+
+bodies: a sequence of `Body`; their numbers are 0, 1, ...
+question, kernel: as of `Query`.
+threads: number of threads that share the pairs of a frame; 0: all cores.
+budget: seconds for a frame; pairs that are not decided then are `undecided`. 0: no limit.
+
+>>> import numpy as np, tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> scene = tetracone.Scene([a] * 4)
+>>> poses = np.tile(np.eye(3, 4), (4, 1, 1))
+>>> poses[:, 0, 3] = [0, 1, 2, 3.5]
+>>> scene.frame(poses).tolist()
+[[0, 1], [1, 2]]
+)");
+  scene.def(py::init(&made_scene), py::arg("bodies") = py::tuple(), py::arg("question") = "solid",
+            py::arg("kernel") = "adaptive", py::arg("threads") = 1, py::arg("budget") = 0.0);
+  add_bodies(scene);
+  add_frames(scene);
+  add_pair_relations(scene);
+  add_pair_distances(scene);
+  scene.def_property_readonly("statistics", &scene_statistics,
+                              "What the last frame, or the last first contacts, have cost: a dict of moved, kept, "
+                              "candidates, queries, nodes_made, bytes.");
 }
 
 }  // namespace tetracone::python
