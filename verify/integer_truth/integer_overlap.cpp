@@ -1,5 +1,6 @@
 #include "verify/integer_truth/integer_overlap.h"
 
+#include "verify/integer_truth/integer_boxes.h"
 #include "verify/integer_truth/integer_contact.h"
 #include "verify/integer_truth/integer_pair.h"
 
@@ -20,7 +21,14 @@ struct Swept_face {
   const Integer_body* body;
   Index number;
   Integer_vector normal;
+  Rank_box box;
   bool is_of_b;
+};
+
+/// An edge of either body.
+struct Swept_edge {
+  Integer_vector from, to;
+  Rank_box box;
 };
 
 void sort_once(std::vector<mpq_class>& numbers)
@@ -53,9 +61,14 @@ class Sweep {
  public:
   Sweep(const Integer_body& a, const Integer_body& b) : bodies_{&a, &b}
   {
-    for (const Integer_body* body : bodies_)
-      for (Index f = 0; f < body->face_count(); ++f)
-        if (const auto normal = body->normal(f)) faces_.push_back({body, f, *normal, body == &b});
+    const std::array<Element_boxes, 2> boxes = element_boxes(a, b);
+    for (const int k : {0, 1}) {
+      const Integer_body& body = *bodies_[k];
+      for (Index f = 0; f < body.face_count(); ++f)
+        if (const auto normal = body.normal(f)) faces_.push_back({&body, f, *normal, boxes[k].faces[f], k == 1});
+      for (std::size_t e = 0; e < body.edges().size(); ++e)
+        edges_.push_back({body.point(body.edges()[e].first), body.point(body.edges()[e].second), boxes[k].edges[e]});
+    }
   }
 
   Volumes volumes() const
@@ -92,20 +105,21 @@ class Sweep {
   /// other or faces, and points of three faces.
   std::vector<mpq_class> critical_x() const
   {
-    std::vector<std::pair<Integer_vector, Integer_vector>> edges;
-    for (const Integer_body* body : bodies_)
-      for (const auto& [from, to] : body->edges()) edges.emplace_back(body->point(from), body->point(to));
     std::vector<mpq_class> critical;
-    for (const auto& [from, to] : edges) {
-      const auto add = [&, &p = from, &q = to](const mpq_class& t) { critical.push_back(p[0] + t * (q[0] - p[0])); };
+    for (const Swept_edge& edge : edges_) {
+      const Integer_vector &from = edge.from, &to = edge.to;
+      const auto add = [&](const mpq_class& t) { critical.push_back(from[0] + t * (to[0] - from[0])); };
       add(0);
       add(1);
-      for (const auto& [c, d] : edges)
-        if (const auto both = shared(from, to, c, d)) {
+      for (const Swept_edge& other : edges_) {
+        if (!edge.box.meets(other.box)) continue;
+        if (const auto both = shared(from, to, other.from, other.to)) {
           add(both->first);
           add(both->last);
         }
+      }
       for (const Swept_face& face : faces_) {
+        if (!edge.box.meets(face.box)) continue;
         const mpq_class h = height(face, from), k = height(face, to);
         if (sgn(h) * sgn(k) >= 0) continue;
         const mpq_class t = h / (h - k);
@@ -115,12 +129,15 @@ class Sweep {
       }
     }
     for (std::size_t f = 0; f < faces_.size(); ++f)
-      for (std::size_t g = 0; g < f; ++g)
+      for (std::size_t g = 0; g < f; ++g) {
+        if (!faces_[f].box.meets(faces_[g].box)) continue;
         for (std::size_t h = 0; h < g; ++h) {
           const Swept_face &one = faces_[f], &two = faces_[g], &three = faces_[h];
+          if (!one.box.meets(three.box) || !two.box.meets(three.box)) continue;
           const auto x = common_point({row(one), row(two), row(three)}, {right(one), right(two), right(three)});
           if (x && holds(one, *x) && holds(two, *x) && holds(three, *x)) critical.push_back((*x)[0]);
         }
+      }
     sort_once(critical);
     return critical;
   }
@@ -129,16 +146,15 @@ class Sweep {
   void add_section(const mpq_class& x, const mpq_class& weight, Volumes& sum) const
   {
     std::vector<mpq_class> critical;
-    for (const Integer_body* body : bodies_)
-      for (const auto& [from, to] : body->edges()) {
-        const Integer_vector &p = body->point(from), &q = body->point(to);
-        if (p[0] == q[0]) continue;
-        const mpq_class t = (x - p[0]) / (q[0] - p[0]);
-        if (t >= 0 && t <= 1) critical.push_back(p[1] + t * (q[1] - p[1]));
-      }
+    for (const Swept_edge& edge : edges_) {
+      const Integer_vector &p = edge.from, &q = edge.to;
+      if (x < std::min(p[0], q[0]) || x > std::max(p[0], q[0]) || p[0] == q[0]) continue;
+      critical.push_back(p[1] + (x - p[0]) / (q[0] - p[0]) * (q[1] - p[1]));
+    }
     for (std::size_t f = 0; f < faces_.size(); ++f)
       for (std::size_t g = 0; g < f; ++g) {
         const Swept_face &one = faces_[f], &two = faces_[g];
+        if (!one.box.meets(two.box)) continue;
         const auto at = common_point({row(one), row(two), Fraction_point{1, 0, 0}}, {right(one), right(two), x});
         if (at && holds(one, *at) && holds(two, *at)) critical.push_back((*at)[1]);
       }
@@ -179,6 +195,7 @@ class Sweep {
 
   std::array<const Integer_body*, 2> bodies_;
   std::vector<Swept_face> faces_;
+  std::vector<Swept_edge> edges_;
 };
 
 }  // namespace
