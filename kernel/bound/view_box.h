@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace tetracone::kernel {
@@ -21,10 +22,37 @@ struct View_box {
   static constexpr std::size_t axes = 9, height = 4;
   std::array<double, axes> low, high;
 
-  /// Returns the nine functions' values at a point, or with `size`, upper bounds of their magnitudes within a box.
-  static std::array<double, axes> along(const std::array<double, 3>& p, bool size = false)
+  /// Returns bounds that say nothing.
+  static View_box unlimited()
   {
-    const double x = p[0], y = p[1], z = p[2], sign = size ? 1 : -1;
+    View_box box;
+    box.low.fill(-std::numeric_limits<double>::infinity());
+    box.high.fill(std::numeric_limits<double>::infinity());
+    return box;
+  }
+
+  /// Returns the bounds of enclosed points. Requires a block of upward rounding, and at least one point.
+  static View_box around(std::span<const std::array<Interval, 3>> points)
+  {
+    View_box box;
+    box.low.fill(std::numeric_limits<double>::infinity());
+    box.high.fill(-std::numeric_limits<double>::infinity());
+    for (const auto& p : points) {
+      const std::array<Interval, axes> at = along(p);
+      for (std::size_t k = 0; k < axes; ++k) {
+        box.low[k] = minimum(box.low[k], at[k].inf());
+        box.high[k] = maximum(box.high[k], at[k].sup());
+      }
+    }
+    return box;
+  }
+
+  /// Returns the nine functions' values at a point, or with `size`, upper bounds of their magnitudes within a box.
+  template <class N>
+  static std::array<N, axes> along(const std::array<N, 3>& p, bool size = false)
+  {
+    const N &x = p[0], &y = p[1], &z = p[2];
+    const double sign = size ? 1 : -1;
     return {x, y, x + y, x + sign * y, z, z + x, z + sign * x, z + y, z + sign * y};
   }
 
@@ -112,8 +140,7 @@ class Box_view {
     for (int lane = 0; lane < boxes.lane_count; ++lane) {
       View_box& box = seen[std::size_t(lane)];
       if (!is_bounded_) {
-        box.low.fill(-std::numeric_limits<double>::infinity());
-        box.high.fill(std::numeric_limits<double>::infinity());
+        box = View_box::unlimited();
         continue;
       }
       double centre[3], half[3][3], reach = 0;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// By how much a convex polygon of A has to rise for it to meet one of B.
@@ -24,6 +25,24 @@ template <class N>
 struct Convex_piece {
   std::array<Number_point<N>, 4> corner;
   int count = 0;  ///< 3 or 4
+};
+
+/// A piece in integers: its corners are those in space, times a positive denominator.
+struct Integer_piece : Convex_piece<mpz_class> {
+  mpz_class denominator = 1;
+
+  Integer_piece() = default;
+  explicit Integer_piece(const Convex_piece<Rational>& piece)
+  {
+    count = piece.count;
+    for (int k = 0; k < count; ++k)
+      for (const Rational& x : piece.corner[k]) denominator = lcm(denominator, x.get_den());
+    for (int k = 0; k < count; ++k)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Rational& x = piece.corner[k][i];
+        corner[k][i] = x.get_num() * (denominator / x.get_den());
+      }
+  }
 };
 
 /// True where coordinates are at most 2^200, so that no sum or product of `Shift_range` overflows.
@@ -69,6 +88,8 @@ inline double lower(const Interval& x) { return x.inf(); }
 inline double upper(const Interval& x) { return x.sup(); }
 inline const Rational& lower(const Rational& x) { return x; }
 inline const Rational& upper(const Rational& x) { return x; }
+inline const mpz_class& lower(const mpz_class& x) { return x; }
+inline const mpz_class& upper(const mpz_class& x) { return x; }
 
 inline Interval least(const Interval& x, const Interval& y)
 {
@@ -82,6 +103,8 @@ inline double least(double x, double y) { return x < y ? x : y; }
 inline double largest(double x, double y) { return x > y ? x : y; }
 inline Rational least(const Rational& x, const Rational& y) { return x < y ? x : y; }
 inline Rational largest(const Rational& x, const Rational& y) { return x > y ? x : y; }
+inline mpz_class least(const mpz_class& x, const mpz_class& y) { return x < y ? x : y; }
+inline mpz_class largest(const mpz_class& x, const mpz_class& y) { return x > y ? x : y; }
 
 template <class N>
 bool may_be_zero(const Number_point<N>& x)
@@ -173,9 +196,40 @@ struct Allowed {
     high = Interval(of_b.high) - Interval(of_a.low) + both;
   }
 
+  /// Returns what an axis allows. The three numbers are integers: those in space times both denominators.
+  Allowed(const Shift_axis& axis, const Integer_piece& a, const Integer_piece& b) requires std::is_same_v<N, Rational>
+  {
+    const Number_point<mpz_class> n = direction<mpz_class>(axis, a, b);
+    is_axis = !is_zero(n);
+    may_say_nothing = !is_axis;
+    rise = n[2] * a.denominator * b.denominator;
+    const Extent<mpz_class> of_a(n, a), of_b(n, b);
+    low = of_b.low * a.denominator - of_a.high * b.denominator;
+    high = of_b.high * a.denominator - of_a.low * b.denominator;
+  }
+
+  /// Encloses what an axis exactly allows.
+  explicit Allowed(const Allowed<Rational>& exact) requires std::is_same_v<N, Interval>
+      : rise(CGAL::to_interval(exact.rise)),
+        low(CGAL::to_interval(exact.low)),
+        high(CGAL::to_interval(exact.high)),
+        is_axis(exact.is_axis),
+        may_say_nothing(!exact.is_axis)
+  {}
+
   bool is_rising() const { return lower(rise) > 0; }
   bool is_falling() const { return upper(rise) < 0; }
   bool is_level() const { return lower(rise) == 0 && upper(rise) == 0; }
+  /// True when a level axis surely allows all shifts.
+  bool allows_all() const { return lower(high) > 0 && upper(low) < 0; }
+  /// True when a level axis surely allows none.
+  bool allows_none() const { return !(upper(high) > 0 && lower(low) < 0); }
+  /// True when it is certain what the axis says.
+  bool is_decided() const
+  {
+    if (!is_axis || is_rising() || is_falling()) return true;
+    return is_level() && !may_say_nothing && (allows_all() || allows_none());
+  }
   N first() const { return N((is_rising() ? low : high) / rise); }
   N last() const { return N((is_rising() ? high : low) / rise); }
 };
@@ -220,11 +274,31 @@ class Shift_range {
     restrict_to_all(a, b, [&](const Shift_axis& axis) { return detail::Allowed<N>(axis, a, b); });
   }
 
+  Shift_range(const Integer_piece& a, const Integer_piece& b) requires std::is_same_v<N, Rational>
+  {
+    restrict_to_all(a, b, [&](const Shift_axis& axis) { return detail::Allowed<N>(axis, a, b); });
+  }
+
   /// Requires a block of upward rounding, and pieces that are bounded.
   Shift_range(const Rounded_piece& a, const Rounded_piece& b) requires std::is_same_v<N, Interval>
   {
     const Corner_errors errors(a.errors, b.errors);
     restrict_to_all(a, b, [&](const Shift_axis& axis) { return detail::Allowed<N>(axis, a, b, errors); });
+  }
+
+  /// Encloses the range of both pieces, and decides in integers what enclosures do not say of an axis. So parallel
+  /// edges, and faces along the shift, leave the range certain. exact() returns pointers to both pieces in integers.
+  /// Requires a block of upward rounding, and pieces that are bounded.
+  template <class Exact>
+  Shift_range(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b,
+              const Exact& exact) requires std::is_same_v<N, Interval>
+  {
+    restrict_to_all(a, b, [&](const Shift_axis& axis) {
+      const detail::Allowed<Interval> about(axis, a, b);
+      if (about.is_decided()) return about;
+      const auto [exact_a, exact_b] = exact();
+      return detail::Allowed<Interval>(detail::Allowed<Rational>(axis, *exact_a, *exact_b));
+    });
   }
 
   /// True when there is surely no such s.
@@ -240,7 +314,7 @@ class Shift_range {
   template <class M, class Allow>
   void restrict_to_all(const Convex_piece<M>& a, const Convex_piece<M>& b, const Allow& allowed)
   {
-    detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
+    detail::for_shift_axes<M>(a, b, [&](const Shift_axis& axis) {
       restrict_to(allowed(axis));
       return !is_empty_;
     });
@@ -263,9 +337,9 @@ class Shift_range {
       }
       if (low_->least > high_->most) is_empty_ = true;
     } else if (allowed.is_level() && !allowed.may_say_nothing) {
-      if (!(upper(allowed.high) > 0 && lower(allowed.low) < 0))
+      if (allowed.allows_none())
         is_empty_ = true;
-      else if (!(lower(allowed.high) > 0 && upper(allowed.low) < 0))
+      else if (!allowed.allows_all())
         is_certain_ = false;
     } else {
       is_certain_ = false;
@@ -280,15 +354,16 @@ namespace detail {
 
 /// Returns the largest or the least product of an exact direction with the corners of a piece. Enclosures tell which
 /// corners need not be multiplied.
-inline Rational exact_end(bool is_largest, const Number_point<Interval>& direction, const Convex_piece<Interval>& piece,
-                          const Number_point<Rational>& exact_direction, const Convex_piece<Rational>& exact)
+inline mpz_class exact_end(bool is_largest, const Number_point<Interval>& direction,
+                           const Convex_piece<Interval>& piece, const Number_point<mpz_class>& exact_direction,
+                           const Integer_piece& exact)
 {
   const Extent<Interval> extent(direction, piece);
-  std::optional<Rational> end;
+  std::optional<mpz_class> end;
   for (int k = 0; k < piece.count; ++k) {
     const Interval about = dot(direction, piece.corner[k]);
     if (is_largest ? about.sup() < extent.high.inf() : about.inf() > extent.low.sup()) continue;
-    const Rational at = dot(exact_direction, exact.corner[k]);
+    const mpz_class at = dot(exact_direction, exact.corner[k]);
     if (!end || (is_largest ? at > *end : at < *end)) end = at;
   }
   return *end;
@@ -299,19 +374,26 @@ inline Rational exact_end(bool is_largest, const Number_point<Interval>& directi
 /// Returns the exact end `high` of two pieces that surely have one. The enclosed pieces tell which axes need not be
 /// asked: those beyond `most`, the upper bound that `Shift_range` gave.
 inline Rational exact_high(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b, double most,
-                           const Convex_piece<Rational>& exact_a, const Convex_piece<Rational>& exact_b)
+                           const Integer_piece& exact_a, const Integer_piece& exact_b)
 {
   std::optional<Rational> high;
   detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
     const detail::Allowed<Interval> about(axis, a, b);
-    if (!about.is_axis || !(about.is_rising() || about.is_falling()) || about.last().inf() > most) return true;
-    const auto n = detail::direction(axis, a, b);
-    const auto exact_n = detail::direction(axis, exact_a, exact_b);
-    const bool rises = about.is_rising();
-    const Rational last =
-        (detail::exact_end(rises, n, b, exact_n, exact_b) - detail::exact_end(!rises, n, a, exact_n, exact_a)) /
-        exact_n[2];
-    if (!high || last < *high) high = last;
+    if (!about.is_axis || about.is_level()) return true;
+    std::optional<Rational> last;
+    if (about.is_rising() || about.is_falling()) {
+      if (about.last().inf() > most) return true;
+      const auto n = detail::direction(axis, a, b);
+      const auto exact_n = detail::direction<mpz_class>(axis, exact_a, exact_b);
+      const bool rises = about.is_rising();
+      const mpz_class &of_a = exact_a.denominator, &of_b = exact_b.denominator;
+      last = Rational(detail::exact_end(rises, n, b, exact_n, exact_b) * of_a -
+                      detail::exact_end(!rises, n, a, exact_n, exact_a) * of_b) /
+             Rational(exact_n[2] * of_a * of_b);
+    } else if (const detail::Allowed<Rational> exact(axis, exact_a, exact_b); !exact.is_level()) {
+      last = exact.last();
+    }
+    if (last && (!high || *last < *high)) high = std::move(last);
     return true;
   });
   return *high;
@@ -319,14 +401,16 @@ inline Rational exact_high(const Convex_piece<Interval>& a, const Convex_piece<I
 
 /// Returns the directions of the axes that allow no s above `high`, the end of two pieces. They are normals of the
 /// facets in which a leaves b.
-inline std::vector<Number_point<Rational>> directions_at(const Convex_piece<Rational>& a,
-                                                         const Convex_piece<Rational>& b, const Rational& high)
+inline std::vector<Number_point<Rational>> directions_at(const Integer_piece& a, const Integer_piece& b,
+                                                         const Rational& high)
 {
   std::vector<Number_point<Rational>> directions;
-  detail::for_shift_axes(a, b, [&](const Shift_axis& axis) {
+  detail::for_shift_axes<mpz_class>(a, b, [&](const Shift_axis& axis) {
     const detail::Allowed<Rational> allowed(axis, a, b);
-    if ((allowed.is_rising() || allowed.is_falling()) && allowed.last() == high)
-      directions.push_back(detail::direction(axis, a, b));
+    if (!allowed.is_level() && allowed.last() == high) {
+      const Number_point<mpz_class> n = detail::direction<mpz_class>(axis, a, b);
+      directions.push_back({n[0], n[1], n[2]});
+    }
     return true;
   });
   return directions;

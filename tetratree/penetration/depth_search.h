@@ -195,18 +195,25 @@ class Depth_search {
     Depth_search* search;
     Seen_piece *a, *b;
 
-    kernel::Number_point<kernel::Rational> direction(const kernel::Shift_axis& axis) const
+    bool is_zero(const kernel::Shift_axis& axis) const
     {
-      return kernel::detail::direction(axis, search->solid_[0].exactly(*a), search->solid_[1].exactly(*b));
+      const auto [piece_a, piece_b] = pieces();
+      return kernel::is_zero(kernel::detail::direction<mpz_class>(axis, *piece_a, *piece_b));
     }
-    bool is_zero(const kernel::Shift_axis& axis) const { return kernel::is_zero(direction(axis)); }
 
     /// Returns the plane n . v = limit of a half-space n . v < limit.
     std::pair<kernel::Rational_point, kernel::Rational> plane(const kernel::Shift_axis& axis, int sign) const
     {
-      const kernel::detail::Allowed<kernel::Rational> allowed(axis, search->solid_[0].exactly(*a),
-                                                              search->solid_[1].exactly(*b));
-      return {direction(axis), sign > 0 ? allowed.high : allowed.low};
+      const auto [piece_a, piece_b] = pieces();
+      const kernel::detail::Allowed<kernel::Rational> allowed(axis, *piece_a, *piece_b);
+      const auto n = kernel::detail::direction<mpz_class>(axis, *piece_a, *piece_b);
+      const mpz_class both = piece_a->denominator * piece_b->denominator;
+      return {{n[0] * both, n[1] * both, n[2] * both}, sign > 0 ? allowed.high : allowed.low};
+    }
+
+    std::array<const kernel::Integer_piece*, 2> pieces() const
+    {
+      return {&search->solid_[0].exactly(*a), &search->solid_[1].exactly(*b)};
     }
 
     /// True when the plane of a half-space n . v < limit does not cut the open ball of all shorter translations.

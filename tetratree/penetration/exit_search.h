@@ -41,9 +41,9 @@ struct Exit_heights {
 ///
 /// The first exit is found by going up. Rounded ends come first: where a pair is surely met below the rise that is
 /// reached, F goes on to its `high`. If that meets the range of the pair that leaves last, both exits are one.
-/// Otherwise fractions decide. From a rise in F the search goes to the largest `high` of a pair that has the rise
-/// between its ends. If there is no such pair, the relation of the solids at that rise decides, and the search goes to
-/// the least `high` above it.
+/// Otherwise fractions make one step, and rounded ends go on from there. The step leads to the largest `high` of a
+/// pair that has the rise between its ends. If there is no such pair, the relation of the solids at that rise decides,
+/// and the step leads to the least `high` above it.
 ///
 /// One object serves many views of two bodies, and one thread.
 class Exit_search {
@@ -63,20 +63,26 @@ class Exit_search {
     const std::optional<Rational> highest = largest_high(nullptr);
     if (!highest) return {0, 0};  // a solid without volume has no inside
     const Rational& last = *highest;
+    const auto pair_of_last = last_pair_;
     const double goal = start_of_last();
     if (goal < 0) return {last, last};
-    const std::optional<Met> reached = climb(goal);
-    if (reached && reached->high.least > goal) return {last, last};
+    last_pair_ = {};
     kernel::Rational at = 0;
-    if (reached) {
-      Candidate pair{reached->a, reached->b, reached->high.least, reached->high.most, std::nullopt};
-      at = exact_high(pair);
-      last_pair_ = {pair.a, pair.b};
-      last_high_ = at;
-    } else {
-      last_pair_ = {};
-    }
-    for (bool is_in = !reached; at < last; is_in = false) {
+    for (bool is_in = true; at < last; is_in = false) {
+      if (std::optional<Met> reached = climb(CGAL::to_interval(at).first, goal)) {
+        if (reached->high.least > goal) {
+          last_pair_ = pair_of_last;
+          last_high_ = last;
+          return {last, last};
+        }
+        Candidate pair{reached->a, reached->b, reached->high.least, reached->high.most, std::nullopt};
+        if (const Rational& high = exact_high(pair); high > at) {
+          at = high;
+          note(pair);
+          is_in = false;
+          if (at == last) break;
+        }
+      }
       if (auto high = largest_high(&at)) {
         at = std::move(*high);
         continue;
@@ -199,21 +205,29 @@ class Exit_search {
     return range;
   }
 
+  /// Decides axes in fractions where a range is neither empty nor certain. Requires what `enclosed` requires.
+  void sharpen(kernel::Shift_range<kernel::Interval>& range, Seen_piece& a, Seen_piece& b)
+  {
+    if (range.is_empty() || range.is_certain()) return;
+    range = {a.about, b.about, [&] { return std::array{&solid_[0].exactly(a), &solid_[1].exactly(b)}; }};
+  }
+
   /// Returns an upper bound of the rise from which on the pair found last meets; infinity where it is not known.
-  double start_of_last() const
+  double start_of_last()
   {
     const auto [a, b] = last_pair_;
     if (!a->is_bounded || !b->is_bounded) return std::numeric_limits<double>::infinity();
     const CGAL::Protect_FPU_rounding<true> upward;
-    const auto range = enclosed(*a, *b);
+    auto range = enclosed(*a, *b);
+    sharpen(range, *a, *b);
     return range.is_certain() ? range.low()->most : std::numeric_limits<double>::infinity();
   }
 
-  /// Goes up from 0 by pieces that surely meet below the rise that is reached, until that is above the goal. Returns
-  /// the last of these pairs: F has all rises below its `high`. Nothing where no pair surely meets at 0.
-  std::optional<Met> climb(double goal)
+  /// Goes up from a rise by pieces that surely meet below the rise that is reached, until that is above the goal.
+  /// Returns the last of these pairs: F has all rises from the first one to its `high`. Nothing where no pair surely
+  /// meets at the first one.
+  std::optional<Met> climb(double at, double goal)
   {
-    double at = 0;
     std::optional<Met> reached;
     const auto is_met_later = [](const Met& x, const Met& y) { return x.low > y.low; };
     const auto starts_later = [](const Rising& x, const Rising& y) { return x.least > y.least; };
@@ -231,9 +245,11 @@ class Exit_search {
         push_to(later, rising, starts_later);
     };
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
-      if (!a.is_bounded || !b.is_bounded) return;
+      if (!a.is_bounded || !b.is_bounded || !(kernel::most_rise(a.box, b.box) > at)) return;
       const CGAL::Protect_FPU_rounding<true> upward;
-      const auto range = enclosed(a, b);
+      auto range = enclosed(a, b);
+      if (range.high() && range.high()->most <= at) return;
+      sharpen(range, a, b);
       if (range.is_certain() && range.high()->least > at)
         push_to(met, Met{&a, &b, range.low()->most, *range.high()}, is_met_later);
     };
@@ -285,12 +301,15 @@ class Exit_search {
       if (choice.plain_only && !(solid_[0].is_plain(a.face) && solid_[1].is_plain(b.face))) return;
       if (a.is_bounded && b.is_bounded) {
         const CGAL::Protect_FPU_rounding<true> upward;
-        const auto range = enclosed(a, b);
-        if (range.is_empty()) return;
-        if (range.high()) {
+        auto range = enclosed(a, b);
+        const auto is_out = [&] {
+          if (range.is_empty() || !range.high()) return range.is_empty();
           const double most = range.high()->most;
-          if (most <= best || (through && (most <= least_at || starts_after(range.low()->least, most_at)))) return;
-        }
+          return most <= best || (through && (most <= least_at || starts_after(range.low()->least, most_at)));
+        };
+        if (is_out()) return;
+        sharpen(range, a, b);
+        if (is_out()) return;
         if (range.is_certain() && (!through || (range.low()->most < least_at && range.high()->least > most_at))) {
           candidates.push_back({&a, &b, range.high()->least, range.high()->most, std::nullopt});
           best = kernel::maximum(best, range.high()->least);
@@ -310,7 +329,7 @@ class Exit_search {
     std::optional<Rational> found;
     for (Candidate& c : candidates) {
       const Rational& high = exact_high(c);
-      if (!found || high > *found) note(c, found);
+      if (!found || high > *found) found = high, note(c);
     }
     return found;
   }
@@ -329,8 +348,10 @@ class Exit_search {
     const auto compare = [&](Seen_piece& a, Seen_piece& b) {
       if (a.is_bounded && b.is_bounded) {
         const CGAL::Protect_FPU_rounding<true> upward;
-        const auto range = enclosed(a, b);
+        auto range = enclosed(a, b);
         if (range.is_empty() || (range.high() && range.high()->most < least_at)) return;
+        sharpen(range, a, b);
+        if (range.is_empty()) return;
         if (range.is_certain()) {
           if (range.high()->least > best) return;
           if (range.high()->least > most_at) {
@@ -351,7 +372,7 @@ class Exit_search {
     std::optional<Rational> found;
     for (Candidate& c : candidates) {
       const Rational& high = exact_high(c);
-      if (!found || high < *found) note(c, found);
+      if (!found || high < *found) found = high, note(c);
     }
     return *found;
   }
@@ -385,14 +406,14 @@ class Exit_search {
   }
 
   /// Takes the candidate's `high` as the one that is found.
-  void note(const Candidate& c, std::optional<Rational>& found)
+  void note(const Candidate& c)
   {
-    found = last_high_ = *c.exact;
+    last_high_ = *c.exact;
     last_pair_ = {c.a, c.b};
   }
 
-  /// Compares the pieces of all pairs of leaves that may share a place in the view. key(box of A, box of B) orders
-  /// pairs of boxes, and leaves some out. Pairs with a key above limit() are left out, too.
+  /// Compares the pairs of pieces that may share a place in the view. key(box of A, box of B) orders pairs of boxes,
+  /// and leaves some out. Pairs with a key above limit() are left out, too.
   template <class Key, class Limit, class Compare>
   void search(const Key& key, const Limit& limit, const Compare& compare)
   {
@@ -408,16 +429,19 @@ class Exit_search {
       const Pair pair = pop_from(queue_, is_later);
       if (pair.key > limit()) break;
       ++counts_.pairs_visited;
-      open(pair.box, add, compare);
+      open(pair.box, add, [&](Seen_piece& a, Seen_piece& b) {
+        if (const std::optional<double> at = key(a.box, b.box); at && !(*at > limit())) compare(a, b);
+      });
     }
   }
 
-  /// Opens a pair of boxes, and counts the work.
+  /// Opens a pair of boxes, and counts the work. Pieces are compared where they may share a place in the view.
   template <class Add, class Compare>
   void open(const Box_ids& box, const Add& add, const Compare& compare)
   {
     counts_.leaf_pairs += solid_[0].tree().is_leaf(box[0]) && solid_[1].tree().is_leaf(box[1]);
     open_pair(solid_, box, add, [&](Seen_piece& a, Seen_piece& b) {
+      if (!a.box.may_cover(b.box)) return;
       ++counts_.triangle_tests;
       compare(a, b);
     });

@@ -4,7 +4,9 @@
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/covering/side_windings.h"
 #include "tetracone/kernel/bound/view_box.h"
+#include "tetracone/kernel/contact/corner_point.h"
 #include "tetracone/kernel/contact/face_cells.h"
+#include "tetracone/kernel/contact/integer_placing.h"
 #include "tetracone/kernel/contact/rational_face.h"
 #include "tetracone/kernel/contact/shift_range.h"
 #include "tetracone/kernel/number/products.h"
@@ -18,7 +20,6 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,10 +27,11 @@ namespace tetracone::tetratree {
 
 /// A convex part of a face, in the coordinates of a view.
 struct Seen_piece {
-  kernel::Convex_piece<kernel::Interval> about;                 ///< enclosed
-  kernel::Rounded_piece rounded;                                ///< of a piece that is bounded
-  std::optional<kernel::Convex_piece<kernel::Rational>> exact;  ///< nothing until it is needed
-  bool is_bounded;                                              ///< the numbers of `about` are far from overflow
+  kernel::Convex_piece<kernel::Interval> about;  ///< enclosed
+  kernel::Rounded_piece rounded;                 ///< of a piece that is bounded
+  kernel::View_box box;
+  std::optional<kernel::Integer_piece> exact;  ///< nothing until it is needed
+  bool is_bounded;                             ///< the numbers of `about` are far from overflow
   Index face;
   std::size_t cell;  ///< its number among the pieces of a face that is not a plain triangle
 };
@@ -81,7 +83,11 @@ class Seen_solid {
  public:
   /// `tree` has the faces of `polyhedron` as elements, and `sides` are of it. All must outlive this object.
   Seen_solid(const Bvh8& tree, const covering::Polyhedron& polyhedron, const Solid_sides& sides)
-      : tree_(&tree), polyhedron_(&polyhedron), sides_(&sides), box_view_(std::array<kernel::Rational, 12>(), {})
+      : tree_(&tree),
+        polyhedron_(&polyhedron),
+        sides_(&sides),
+        bits_(kernel::fraction_bits(polyhedron.vertices)),
+        box_view_(std::array<kernel::Rational, 12>(), {})
   {}
 
   const Bvh8& tree() const { return *tree_; }
@@ -91,6 +97,8 @@ class Seen_solid {
   {
     map_ = map;
     for (std::size_t k = 0; k < 12; ++k) about_map_[k] = CGAL::to_interval(map[k]);
+    scale_ = kernel::Integer_map::least_scale(map, bits_);
+    integer_map_ = kernel::Integer_map(map, bits_, scale_);
     box_view_ = kernel::Box_view(map, tree_->scale());
     boxes_.forget();
     pieces_.forget();
@@ -125,10 +133,10 @@ class Seen_solid {
     });
   }
 
-  /// Returns a piece of the present view in rationals.
-  const kernel::Convex_piece<kernel::Rational>& exactly(Seen_piece& piece)
+  /// Returns a piece of the present view in integers.
+  const kernel::Integer_piece& exactly(Seen_piece& piece)
   {
-    if (!piece.exact) piece.exact = is_plain(piece.face) ? triangle<kernel::Rational>(piece.face) : seen(cell(piece));
+    if (!piece.exact) piece.exact = is_plain(piece.face) ? triangle(piece.face) : kernel::Integer_piece(seen(piece));
     return *piece.exact;
   }
 
@@ -139,13 +147,13 @@ class Seen_solid {
   {
     const CGAL::Protect_FPU_rounding<true> upward;
     if (is_plain(f)) {
-      if (sides_->of(f).any_in) add(pieces, {triangle<kernel::Interval>(f), {}, std::nullopt, false, f, 0});
+      if (sides_->of(f).any_in) add(pieces, {enclosed_triangle(f), {}, {}, std::nullopt, false, f, 0});
       return;
     }
     const std::size_t count = cells(f).size();
     for (std::size_t c = 0; c < count; ++c) {
-      Seen_piece piece{{}, {}, std::nullopt, false, f, c};
-      const Rational_piece& exact = exactly(piece);
+      Seen_piece piece{{}, {}, {}, std::nullopt, false, f, c};
+      const Rational_piece exact = seen(piece);
       piece.about.count = exact.count;
       for (int k = 0; k < exact.count; ++k)
         for (std::size_t i = 0; i < 3; ++i) piece.about.corner[k][i] = CGAL::to_interval(exact.corner[k][i]);
@@ -157,31 +165,36 @@ class Seen_solid {
   {
     piece.is_bounded = kernel::is_bounded(piece.about);
     if (piece.is_bounded) piece.rounded = kernel::Rounded_piece(piece.about);
+    piece.box = piece.is_bounded ? kernel::View_box::around({piece.about.corner.data(), std::size_t(piece.about.count)})
+                                 : kernel::View_box::unlimited();
     pieces.push_back(std::move(piece));
   }
 
-  template <class N>
-  kernel::Convex_piece<N> triangle(Index f)
+  kernel::Convex_piece<kernel::Interval> enclosed_triangle(Index f) const
   {
-    kernel::Convex_piece<N> piece;
-    for (const Index v : polyhedron_->loop(f, 0)) {
-      kernel::Number_point<N>& corner = piece.corner[std::size_t(piece.count++)];
-      if constexpr (std::is_same_v<N, kernel::Rational>)
-        corner = vertices_(v, [&](auto& seen) { seen = kernel::image(polyhedron_->vertices[v], map_); });
-      else
-        corner = kernel::image(polyhedron_->vertices[v], about_map_);
-    }
+    kernel::Convex_piece<kernel::Interval> piece;
+    for (const Index v : polyhedron_->loop(f, 0))
+      piece.corner[std::size_t(piece.count++)] = kernel::image(polyhedron_->vertices[v], about_map_);
     return piece;
   }
 
-  Rational_piece seen(const Rational_piece& local) const
+  kernel::Integer_piece triangle(Index f)
   {
-    Rational_piece piece = local;
-    for (int k = 0; k < piece.count; ++k) piece.corner[k] = kernel::image(local.corner[k], map_);
+    kernel::Integer_piece piece;
+    piece.denominator = scale_;
+    for (const Index v : polyhedron_->loop(f, 0))
+      piece.corner[std::size_t(piece.count++)] =
+          vertices_(v, [&](auto& seen) { seen = integer_map_(polyhedron_->vertices[v]); });
     return piece;
   }
 
-  const Rational_piece& cell(const Seen_piece& piece) { return cells(piece.face)[piece.cell]; }
+  /// Returns a piece of a face that is no plain triangle.
+  Rational_piece seen(const Seen_piece& piece)
+  {
+    Rational_piece seen = cells(piece.face)[piece.cell];
+    for (int k = 0; k < seen.count; ++k) seen.corner[k] = kernel::image(seen.corner[k], map_);
+    return seen;
+  }
 
   /// Returns the cells of a face that have the solid on some side, in the body's coordinates.
   const std::vector<Rational_piece>& cells(Index f)
@@ -209,12 +222,15 @@ class Seen_solid {
   const Bvh8* tree_;
   const covering::Polyhedron* polyhedron_;
   const Solid_sides* sides_;
+  int bits_;  // the vertices times 2^bits_ are integers
   std::array<kernel::Rational, 12> map_;
   std::array<kernel::Interval, 12> about_map_;
+  mpz_class scale_;
+  kernel::Integer_map integer_map_;  // times scale_
   kernel::Box_view box_view_;
   Numbered_things<std::array<kernel::View_box, kernel::lanes>> boxes_;  // by node
   Numbered_things<std::vector<Seen_piece>> pieces_;                     // by face
-  Numbered_things<kernel::Rational_point> vertices_;                    // those that were asked for exactly
+  Numbered_things<kernel::Number_point<mpz_class>> vertices_;           // times scale_
   std::map<Index, std::vector<Rational_piece>> cells_;                  // of faces that are not plain
 };
 

@@ -33,12 +33,12 @@ Convex_piece<Interval> about(const Exact_piece& exact, double width)
   return result;
 }
 
-std::vector<Rational_point> any_triangle(Random& random)
+std::vector<Rational_point> any_triangle(Random& random, int denominator = 1)
 {
   for (;;) {
     std::vector<Rational_point> t(3);
     for (Rational_point& x : t)
-      for (Rational& coordinate : x) coordinate = integer(random, -3, 3);
+      for (Rational& coordinate : x) coordinate = Rational(integer(random, -3, 3)) / denominator;
     if (!is_zero(cross(difference(t[1], t[0]), difference(t[2], t[0])))) return t;
   }
 }
@@ -58,9 +58,10 @@ BOOST_AUTO_TEST_CASE(triangles_meet_at_both_ends_and_between_them_and_not_beyond
   Random random(2);
   int ranges = 0, flat = 0;
   for (int round = 0; round < 1500; ++round) {
-    const auto p = any_triangle(random), q = any_triangle(random);
+    const auto p = any_triangle(random, 3), q = any_triangle(random, 2);
     const Exact_piece a = piece(p), b = piece(q);
-    const Shift_range<Rational> range(a, b);
+    const Shift_range<Rational> range(a, b), in_integers{Integer_piece(a), Integer_piece(b)};
+    BOOST_TEST(in_integers.is_empty() == range.is_empty());
     if (range.is_empty()) {
       // Seen pieces without common area may touch, for a single shift if neither is upright.
       BOOST_TEST(!range.is_certain());
@@ -70,6 +71,7 @@ BOOST_AUTO_TEST_CASE(triangles_meet_at_both_ends_and_between_them_and_not_beyond
     BOOST_TEST(range.is_certain());
     const Rational low = range.low()->least, high = range.high()->most;
     BOOST_TEST((low == range.low()->most && high == range.high()->least));
+    BOOST_TEST((low == in_integers.low()->least && high == in_integers.high()->most));
     flat += low == high;
     const Rational step(1, 1000);
     for (const Rational& s : {low, high, Rational((low + high) / 2)}) BOOST_TEST(share(piece(p, s), b));
@@ -98,14 +100,17 @@ BOOST_AUTO_TEST_CASE(enclosed_and_rounded_pieces_bound_the_exact_ends)
   Random random(3);
   int certain = 0, empty = 0, told_by_rounded = 0;
   for (int round = 0; round < 1500; ++round) {
-    const Exact_piece a = piece(any_triangle(random)), b = piece(any_triangle(random));
+    const Exact_piece a = piece(any_triangle(random)), b = piece(any_triangle(random, 2));
     const Shift_range<Rational> exact(a, b);
     for (const double width : {0.0, 0x1p-50, 0x1p-4}) {
       const CGAL::Protect_FPU_rounding<true> upward;
       const auto in_a = about(a, width), in_b = about(b, width);
       BOOST_TEST(is_bounded(in_a));
       const Rounded_piece rounded_a(in_a), rounded_b(in_b);
-      for (const auto& range : {Shift_range<Interval>(in_a, in_b), Shift_range<Interval>(rounded_a, rounded_b)}) {
+      const Integer_piece whole_a(a), whole_b(b);
+      const auto exactly = [&] { return std::array{&whole_a, &whole_b}; };
+      for (const auto& range : {Shift_range<Interval>(in_a, in_b), Shift_range<Interval>(rounded_a, rounded_b),
+                                Shift_range<Interval>(in_a, in_b, exactly)}) {
         BOOST_TEST(!(range.is_empty() && !exact.is_empty()));
         BOOST_TEST(!(range.is_certain() && exact.is_empty()));
         empty += range.is_empty();
@@ -118,8 +123,11 @@ BOOST_AUTO_TEST_CASE(enclosed_and_rounded_pieces_bound_the_exact_ends)
         ++certain;
         BOOST_TEST(Rational(range.high()->least) <= exact.high()->most);
         BOOST_TEST(Rational(range.low()->most) >= exact.low()->most);
-        BOOST_TEST((exact_high(in_a, in_b, range.high()->most, a, b) == exact.high()->most));
+        BOOST_TEST((exact_high(in_a, in_b, range.high()->most, whole_a, whole_b) == exact.high()->most));
       }
+      // Axes that are exactly level, or no axes, leave nothing open.
+      if (width <= 0x1p-50 && !exact.is_empty() && exact.low()->most < exact.high()->least)
+        BOOST_TEST(Shift_range<Interval>(in_a, in_b, exactly).is_certain());
       told_by_rounded += Shift_range<Interval>(rounded_a, rounded_b).is_certain();
     }
   }
