@@ -158,18 +158,36 @@ class Simple_relation {
       for (int k = 0; k < 3; ++k) {
         const Solid_sides::Beyond_edge& beyond = body_[body].sides->beyond(face[body], k);
         if (beyond.side == kernel::ZERO) continue;
-        const int other = 1 - body;
-        const kernel::Sign from_other = side(corners(other, face[other]), point(body, beyond.apex));
-        const bool is_in_front = from_other == body_[other].placed->determinant_sign();
-        const bool own = beyond.side == kernel::POSITIVE,
-                   others = body_[other].sides->of(face[other]).front == is_in_front;
-        if (own == others)
-          regions_.interiors_meet = true;
-        else
-          regions_.sticks_out = {true, true};
+        note_sides(beyond.side == kernel::POSITIVE, is_inward(1 - body, face[1 - body], beyond.apex, body));
         return;
       }
-    is_known_ = false;  // all neighbours are in the plane
+    const Index apex = vertex_beside(face[0]);  // all neighbours are in the plane
+    note_sides(is_inward(0, face[0], apex, 0), is_inward(1, face[1], apex, 0));
+  }
+
+  /// Notes whether both solids are on one side of a polygon.
+  void note_sides(bool a_has, bool b_has)
+  {
+    if (a_has == b_has)
+      regions_.interiors_meet = true;
+    else
+      regions_.sticks_out = {true, true};
+  }
+
+  /// True when vertex v of body `whose` is on that side of a face's plane on which the face has its solid. Requires a
+  /// vertex off the plane.
+  bool is_inward(int body, Index f, Index v, int whose)
+  {
+    const bool is_in_front = side(corners(body, f), point(whose, v)) == body_[body].placed->determinant_sign();
+    return body_[body].sides->of(f).front == is_in_front;
+  }
+
+  /// Returns a corner of A that is off the plane of one of its faces. A solid has one.
+  Index vertex_beside(Index f)
+  {
+    for (;; beside_ = (beside_ + 1) % body_[0].polyhedron->face_count())
+      for (const Index v : body_[0].polyhedron->loop(beside_, 0))
+        if (side(corners(0, f), point(0, v)) != kernel::ZERO) return v;
   }
 
   /// Notes what a piece on a face tells of the regions of the face.
@@ -238,6 +256,7 @@ class Simple_relation {
   std::array<Body, 2> body_;
   Found_regions regions_;
   bool is_known_ = true;                          // false: some region could not be looked at
+  Index beside_ = 0;                              // a face of A, with a corner off the plane that was asked about last
   std::array<std::vector<bool>, 2> is_on_other_;  // by place: the vertex is on the other surface
   std::array<std::map<Index, bool>, 2> faces_;    // that have a piece: whether one has an inner point of the face
 };
