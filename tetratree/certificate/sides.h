@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,16 +46,29 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
   return rounded_to(kernel::Rational(1, unit), (low + high) / 2);
 }
 
+/// Returns a piece of a body, by chance.
+inline Box_id any_piece(const Group_tree& groups, Random_integers& random)
+{
+  constexpr int bits = 16;
+  Box_id box;
+  while (!groups.is_piece(box)) {
+    const std::vector<Box_id> members = groups.members(box);
+    box = members[std::size_t(random(bits) + std::ldexp(0.5, bits)) % members.size()];
+  }
+  return box;
+}
+
 /// Whether a point is inside of A, and of B.
 using Membership = std::array<bool, 2>;
 
-/// Appends a point for each of `wanted`, if some lines near a common point have one. All points between two crossings
-/// of a line are on one side. So points are found within the thinnest overlap. True when all of `wanted` were found;
-/// else the text is of no use.
+/// Appends a point for each of `wanted`, if some lines near a common point, or through faces, have one. All points
+/// between two crossings of a line are on one side. So points are found within the thinnest overlap. True when all of
+/// `wanted` were found; else the text is of no use.
 inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Membership> wanted)
 {
-  constexpr int most_lines = 96,         // lines tried
-      lines_of_a_size = 4;               // lines tried at one distance from the point; the next are nearer
+  constexpr int most_lines = 144,        // lines tried
+      lines_of_a_size = 4,               // lines tried at one distance from the point; the next are nearer
+      lines_of_a_turn = 6;               // those, and a line through a face of each body
   constexpr std::size_t most_cells = 6;  // points tried on a line, each between two crossings
   // Lengths are in the units of rounded points, which are finite and not 0.
   const kernel::Rational rounding(pair.rounding), weight(met.point.weight);
@@ -77,11 +91,28 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     rows.push_back(in_b->first);
   };
   for (int n = 0; n < most_lines && !wanted.empty(); ++n) {
-    // The lines are along the normals of both pieces, or random.
+    const int turn = n / lines_of_a_turn, line = n % lines_of_a_turn;
     kernel::Exact_vector exact_way = {kernel::Exact_number(pair.random(20)), kernel::Exact_number(pair.random(20)),
                                       kernel::Exact_number(pair.random(20))};
-    if (const int k = n % lines_of_a_size; k < 2 && pieces[std::size_t(k)].plane)
-      exact_way = kernel::normal_of(*pieces[std::size_t(k)].plane);
+    kernel::Rounded_vector through = middle;
+    if (line < lines_of_a_size) {
+      // The lines are along the normals of both pieces, or random.
+      for (double& x : through) x += std::ldexp(size, 1 - 2 * turn) * pair.random(20) * 0x1p-20;
+      if (line < 2 && pieces[std::size_t(line)].plane) exact_way = kernel::normal_of(*pieces[std::size_t(line)].plane);
+    } else {
+      // The line is along the normal of a face, from a point in the hull of its corners.
+      Covered_body& body = pair.body[std::size_t(line - lines_of_a_size)];
+      const Box_id piece = any_piece(*body.groups, pair.random);
+      if (const auto plane = body.face(piece).plane) exact_way = kernel::normal_of(*plane);
+      through = {};
+      double weights = 0;
+      for (const std::uint32_t v : body.groups->group(piece).corners) {
+        const double weight_of_corner = pair.random(8) + 0x1p8;
+        weights += weight_of_corner;
+        for (std::size_t c = 0; c < 3; ++c) through[c] += weight_of_corner * body.points.rounded(v)[c];
+      }
+      for (double& x : through) x /= weights;
+    }
     kernel::Hull_points way{exact_way}, none;
     kernel::round_together(way, none);
     if (way.rounded(0) == kernel::Rounded_vector{}) continue;
@@ -89,10 +120,7 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
         kernel::scaled(kernel::rounded_to_bits(way.rounded(0), 20),
                        kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)) * unit);
     kernel::Exact_vector start;
-    for (int c = 0; c < 3; ++c) {
-      const double aside = std::ldexp(size, 1 - 2 * (n / lines_of_a_size)) * pair.random(20) * 0x1p-20;
-      start[c] = kernel::Exact_number(middle[c] + aside) * unit - half[c];
-    }
+    for (int c = 0; c < 3; ++c) start[c] = kernel::Exact_number(through[c]) * unit - half[c];
     const kernel::Exact_vector all = kernel::scaled(half, kernel::Exact_number(2));
     const auto times = crossing_times(pair, start, all);
     std::vector<kernel::Rational> cells;

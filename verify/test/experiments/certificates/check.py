@@ -38,6 +38,21 @@ BENT = "v 0 0 0\nv 2 0 0\nv 2 2 0.5\nv 0 2 0\nv 1 1 3\nf 4 3 2 1\nf 1 2 5\nf 2 3
 PLACE = "1 0 0 {} 0 1 0 {} 0 0 1 {}\n"
 
 
+def plate(size):
+    """A square plate of unit cubes with a hole in the middle of each nine, as OFF. Each square of its surface is a face."""
+    is_in = lambda cell: 0 <= cell[0] < size and 0 <= cell[1] < size and cell[2] == 0 and (cell[0] % 3 != 1 or cell[1] % 3 != 1)
+    vertices, faces = {}, []
+    for cell in filter(is_in, ((i, j, 0) for i in range(size) for j in range(size))):
+        for axis in range(3):
+            for side in (0, 1):
+                if is_in(tuple(x + (2 * side - 1) * (k == axis) for k, x in enumerate(cell))):
+                    continue
+                steps = ((0, 0), (1, 0), (1, 1), (0, 1)) if side else ((0, 0), (0, 1), (1, 1), (1, 0))
+                corners = [tuple(cell[k] + (side, *step)[(k - axis) % 3] for k in range(3)) for step in steps]
+                faces.append([vertices.setdefault(corner, len(vertices)) for corner in corners])
+    return "\n".join(["OFF", f"{len(vertices)} {len(faces)} 0", *("%d %d %d" % v for v in vertices), *("4 %d %d %d %d" % tuple(f) for f in faces), ""])
+
+
 class Certificates(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -104,6 +119,15 @@ class Certificates(unittest.TestCase):
             yield (*cls.asked("inside", file, points), [file], "point", points)
             yield (*cls.asked("ray", file, rays), [file], "ray", rays)
             yield (*cls.asked("ray", file, rays, "--end", "1.75"), [file], "ray", rays)
+
+    def test_relations_of_solids_whose_faces_lie_in_common_planes_are_proved(self):
+        files = [self.folder / "plate.off"] * 2
+        files[0].write_text(plate(12))
+        places = self.folder / "places"
+        places.write_text("".join(PLACE.format(*place.split()) for place in ("3 3 0", "0.5 0 0", "0.5 0.5 1", "0 0 0", "3 0 0.5")))
+        text, said = self.asked("relation", *files, "--pose-b", places)
+        self.assertEqual([line.split()[0] for line in said], ["overlap", "overlap", "meet", "equal", "overlap"])
+        self.assertEqual(len(list(check.prove(text, files, [("pose_b", places)]))), len(said))
 
     def test_what_the_program_writes_is_proved(self):
         for text, said, files, key, given in self.certificates:
