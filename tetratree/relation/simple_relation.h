@@ -71,7 +71,8 @@ struct Found_regions {
 ///   into two halves. Let both faces at the edge be on one side of that plane, or in it. Then a half that is on neither
 ///   face is outside at a convex edge, and inside at a reflex one. Otherwise one half is inside and one is outside.
 /// - A face without a segment or a polygon in its inside is one region. Its corners off the other surface are on the
-///   region's border. Regions that have such a corner in common are alike, and one corner decides for all.
+///   region's border. Regions that have such a corner in common are alike, and one corner decides for all. Where all
+///   corners are on the other surface, so may be an edge. The planes of the other body's faces at that edge decide.
 /// Each region of any other face has a part of such a segment, or of a polygon's border, on its border.
 ///
 /// Two contacts show that the solids overlap. The first is an edge that goes through the inside of a face:
@@ -100,6 +101,7 @@ class Simple_relation {
     for (int body = 0; body < 2; ++body) {
       is_on_other_[body].assign(body_[body].sides->place_count(), false);
       faces_[body].clear();
+      along_edge_[body].clear();
     }
     for (const Found_piece& piece : found.pieces) {
       if (is_overlap(piece.by_signs)) return kernel::Solid_relation::overlap;
@@ -158,28 +160,27 @@ class Simple_relation {
       for (int k = 0; k < 3; ++k) {
         const Solid_sides::Beyond_edge& beyond = body_[body].sides->beyond(face[body], k);
         if (beyond.side == kernel::ZERO) continue;
-        note_sides(beyond.side == kernel::POSITIVE, is_inward(1 - body, face[1 - body], beyond.apex, body));
+        note_sides(beyond.side, inward(1 - body, face[1 - body], beyond.apex, body));
         return;
       }
     const Index apex = vertex_beside(face[0]);  // all neighbours are in the plane
-    note_sides(is_inward(0, face[0], apex, 0), is_inward(1, face[1], apex, 0));
+    note_sides(inward(0, face[0], apex, 0), inward(1, face[1], apex, 0));
   }
 
-  /// Notes whether both solids are on one side of a polygon.
-  void note_sides(bool a_has, bool b_has)
+  /// Notes whether both solids are on one side of a polygon. A point off its plane has these sides, as of `inward`.
+  void note_sides(kernel::Sign of_one, kernel::Sign of_other)
   {
-    if (a_has == b_has)
+    if (of_one == of_other)
       regions_.interiors_meet = true;
     else
       regions_.sticks_out = {true, true};
   }
 
-  /// True when vertex v of body `whose` is on that side of a face's plane on which the face has its solid. Requires a
-  /// vertex off the plane.
-  bool is_inward(int body, Index f, Index v, int whose)
+  /// Returns the side of a face's plane on which vertex v of body `whose` is: POSITIVE where the face has its solid.
+  kernel::Sign inward(int body, Index f, Index v, int whose)
   {
-    const bool is_in_front = side(corners(body, f), point(whose, v)) == body_[body].placed->determinant_sign();
-    return body_[body].sides->of(f).front == is_in_front;
+    const kernel::Sign in_front = side(corners(body, f), point(whose, v)) * body_[body].placed->determinant_sign();
+    return body_[body].sides->of(f).front ? in_front : -in_front;
   }
 
   /// Returns a corner of A that is off the plane of one of its faces. A solid has one.
@@ -200,7 +201,10 @@ class Simple_relation {
     mark_vertices(piece, body, *body_[body].polyhedron, *body_[body].sides, is_on_other_[body]);
     if (contact.count == 1) return;
     for (int k = contact.count == 2; k < contact.count; ++k) {
-      if (along(body, contact, k) != 0) continue;
+      if (along(body, contact, k) != 0) {
+        if (contact.count == 2) along_edge_[body].try_emplace(own, &piece);
+        continue;
+      }
       is_cut = true;
       const int edge = std::countr_zero(unsigned(along(1 - body, contact, k)));
       const Solid_sides::Beyond_edge& beyond = body_[1 - body].sides->beyond(other, edge);
@@ -217,6 +221,24 @@ class Simple_relation {
       else
         note_region(body, beyond.side);
     }
+  }
+
+  /// True when a body's face is in the other solid beside the edge that holds the segment of a piece. Requires that the
+  /// face shares no area with the other surface there.
+  bool is_inside_beside(int body, const Found_piece& piece)
+  {
+    const int other = 1 - body;
+    const Index own = body == 0 ? piece.face_a : piece.face_b, face = body == 0 ? piece.face_b : piece.face_a;
+    const int own_edge = std::countr_zero(unsigned(along(body, piece.by_signs, 1)));
+    const Index apex = body_[body].polyhedron->loop(own, 0)[std::size_t(own_edge + 2) % 3];
+    const kernel::Sign one = inward(other, face, apex, body);
+    const kernel::Edge_set edges = along(other, piece.by_signs, 1);
+    if (edges == 0) return one == kernel::POSITIVE;
+    const Solid_sides::Beyond_edge& beyond = body_[other].sides->beyond(face, std::countr_zero(unsigned(edges)));
+    if (beyond.side == kernel::ZERO) return one == kernel::POSITIVE;
+    const kernel::Sign next = inward(other, beyond.face, apex, body);
+    return beyond.side == kernel::POSITIVE ? one == kernel::POSITIVE && next == kernel::POSITIVE
+                                           : one != kernel::NEGATIVE || next != kernel::NEGATIVE;
   }
 
   /// Looks at the regions that are whole faces, except for single points.
@@ -238,10 +260,14 @@ class Simple_relation {
         if (first == covering::none) first = v;
         alike.join(sides.place(first), sides.place(v));
       }
-      if (first == covering::none)
-        is_known_ = false;
-      else
+      if (first != covering::none) {
         witness.push_back(first);
+      } else if (const auto at = along_edge_[body].find(f); at != along_edge_[body].end()) {
+        note_region(body, is_inside_beside(body, *at->second) ? kernel::NEGATIVE : kernel::POSITIVE);
+        if (regions_.is_overlap()) return;
+      } else {
+        is_known_ = false;
+      }
     }
     std::vector<bool> is_seen(sides.place_count(), false);
     for (const Index v : witness) {
@@ -259,6 +285,7 @@ class Simple_relation {
   Index beside_ = 0;                              // a face of A, with a corner off the plane that was asked about last
   std::array<std::vector<bool>, 2> is_on_other_;  // by place: the vertex is on the other surface
   std::array<std::map<Index, bool>, 2> faces_;    // that have a piece: whether one has an inner point of the face
+  std::array<std::map<Index, const Found_piece*>, 2> along_edge_;  // a segment on an edge of a face
 };
 
 }  // namespace tetracone::tetratree
