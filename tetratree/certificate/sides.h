@@ -58,6 +58,20 @@ inline Box_id any_piece(const Group_tree& groups, Random_integers& random)
   return box;
 }
 
+/// Returns a point in the hull of a piece's corners, by chance, in the units of rounded points.
+inline kernel::Rounded_vector point_in_hull(const Covered_body& body, Box_id piece, Random_integers& random)
+{
+  kernel::Rounded_vector sum{};
+  double weights = 0;
+  for (const std::uint32_t v : body.groups->group(piece).corners) {
+    const double weight = random(8) + 0x1p8;
+    weights += weight;
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * body.points.rounded(v)[c];
+  }
+  for (double& x : sum) x /= weights;
+  return sum;
+}
+
 /// Whether a point is inside of A, and of B.
 using Membership = std::array<bool, 2>;
 
@@ -68,7 +82,8 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
 {
   constexpr int most_lines = 144,        // lines tried
       lines_of_a_size = 4,               // lines tried at one distance from the point; the next are nearer
-      lines_of_a_turn = 6;               // those, and a line through a face of each body
+      lines_of_a_turn = 6,               // those, and a line through a face of each body
+      bits_nearer = 3;                   // log2 of the ratio of one distance to the next
   constexpr std::size_t most_cells = 6;  // points tried on a line, each between two crossings
   // Lengths are in the units of rounded points, which are finite and not 0.
   const kernel::Rational rounding(pair.rounding), weight(met.point.weight);
@@ -81,6 +96,12 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     for (std::size_t v = 0; v < body.points.size(); ++v)
       for (std::size_t c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(body.points.rounded(v)[c] - middle[c]));
   if (size == 0) return false;
+  // The thinnest overlaps are nearer to the common point than the distance between doubles.
+  constexpr int bits = 140;
+  kernel::Exact_vector common;
+  for (int c = 0; c < 3; ++c)
+    common[c] = exact(rounded_to(kernel::times_power(1 / rounding, std::ilogb(size) - bits),
+                                 kernel::Rational(met.point.at[c]) / weight));
   const auto pieces = pair.faces(met.piece);
   std::vector<std::string> rows;
   const auto try_point = [&](const kernel::Exact_vector& x) {
@@ -94,24 +115,19 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     const int turn = n / lines_of_a_turn, line = n % lines_of_a_turn;
     kernel::Exact_vector exact_way = {kernel::Exact_number(pair.random(20)), kernel::Exact_number(pair.random(20)),
                                       kernel::Exact_number(pair.random(20))};
-    kernel::Rounded_vector through = middle;
+    kernel::Exact_vector from = common;
+    kernel::Rounded_vector aside{};
     if (line < lines_of_a_size) {
       // The lines are along the normals of both pieces, or random.
-      for (double& x : through) x += std::ldexp(size, 1 - 2 * turn) * pair.random(20) * 0x1p-20;
+      for (double& x : aside) x = std::ldexp(size, 1 - bits_nearer * turn) * pair.random(20) * 0x1p-20;
       if (line < 2 && pieces[std::size_t(line)].plane) exact_way = kernel::normal_of(*pieces[std::size_t(line)].plane);
     } else {
       // The line is along the normal of a face, from a point in the hull of its corners.
       Covered_body& body = pair.body[std::size_t(line - lines_of_a_size)];
       const Box_id piece = any_piece(*body.groups, pair.random);
       if (const auto plane = body.face(piece).plane) exact_way = kernel::normal_of(*plane);
-      through = {};
-      double weights = 0;
-      for (const std::uint32_t v : body.groups->group(piece).corners) {
-        const double weight_of_corner = pair.random(8) + 0x1p8;
-        weights += weight_of_corner;
-        for (std::size_t c = 0; c < 3; ++c) through[c] += weight_of_corner * body.points.rounded(v)[c];
-      }
-      for (double& x : through) x /= weights;
+      from = {};
+      aside = point_in_hull(body, piece, pair.random);
     }
     kernel::Hull_points way{exact_way}, none;
     kernel::round_together(way, none);
@@ -120,7 +136,7 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
         kernel::scaled(kernel::rounded_to_bits(way.rounded(0), 20),
                        kernel::Exact_number(std::ldexp(1.0, std::ilogb(size) - 17)) * unit);
     kernel::Exact_vector start;
-    for (int c = 0; c < 3; ++c) start[c] = kernel::Exact_number(through[c]) * unit - half[c];
+    for (int c = 0; c < 3; ++c) start[c] = from[c] + kernel::Exact_number(aside[c]) * unit - half[c];
     const kernel::Exact_vector all = kernel::scaled(half, kernel::Exact_number(2));
     const auto times = crossing_times(pair, start, all);
     std::vector<kernel::Rational> cells;
