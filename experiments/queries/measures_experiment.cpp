@@ -5,6 +5,7 @@
 #include "experiments/speed/benchmark_workload.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "verify/cases/lego.h"
 #include "verify/cases/object_placing.h"
 #include "verify/cases/shape_generators.h"
 
@@ -88,6 +89,27 @@ void race_solids(Measures& measures, const std::string& name, const covering::Po
                 2);
 }
 
+/// Measures plates of unit cubes, with a hole in the middle of each nine, whose planes coincide. Each square of their
+/// surface is two triangles. They are equal, lie on one another, overlap, or one lies within a block.
+void race_plates(Measures& measures, std::uint64_t seed)
+{
+  constexpr int size = 30;  // cubes along a side
+  verify::Random random(seed);
+  verify::lego::Cells cells = verify::lego::block({0, 0, 0}, {size, size, 1});
+  std::erase_if(cells, [](const verify::lego::Cell& cell) { return cell[0] % 3 == 1 && cell[1] % 3 == 1; });
+  const auto surface = [&](const verify::lego::Cells& of) {
+    return verify::lego::solid({{of}}, {.halved = 1, .is_one_mesh = true}, random);
+  };
+  const covering::Polyhedron plate = surface(cells), block = surface(verify::lego::block({0, 0, 0}, {size, size, 1}));
+  const auto at = [](double x, double y, double z) {
+    return std::pair(kernel::Pose(), kernel::Pose({1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z}));
+  };
+  race_solids(measures, "plates, equal", plate, plate, {at(0, 0, 0)});
+  race_solids(measures, "plates, stacked", plate, plate, {at(0, 0, 1), at(0.5, 0.25, 1), at(3, 0, -1)});
+  race_solids(measures, "plates, side by side", plate, plate, {at(3, 3, 0), at(-9, 0.5, 0)});
+  race_solids(measures, "plate in a block", plate, block, {at(0, 0, 0)});
+}
+
 Cgal_mesh cgal_mesh(const covering::Polyhedron& mesh)
 {
   Cgal_mesh made;
@@ -153,6 +175,7 @@ void run_measures(const Experiment_options& options)
     poses.emplace_back(turned(), turned());
   }
   race_solids(measures, "box", box, box, poses);
+  race_plates(measures, options.seed);
   for (const std::string trajectory : {"contour", "circular"}) {
     const Race_course course = on_trajectory(objects("blob", 7172), "blob", trajectory, 1, options.race_frames,
                                              options.seed, trajectory == "circular" ? 8 : 1);
