@@ -49,7 +49,7 @@ class Integer_map {
     return common << bits;
   }
 
-  /// Returns the image of a vertex, times the scale.
+  /// Returns the image of a vertex, times the scale. Requires a vertex whose coordinates times 2^bits are integers.
   Number_point<mpz_class> operator()(const Vertex& v) const
   {
     return image(std::array{integer(v[0], bits_), integer(v[1], bits_), integer(v[2], bits_)}, map_);

@@ -16,8 +16,9 @@
 
 /// By how much a convex polygon of A has to rise for it to meet one of B.
 ///
-/// Heights are along z, as in `Direction_view`. N is `Rational`, or `Interval` in a block of upward rounding. Rounded
-/// pieces give intervals that are a little wider, and take a fraction of the time.
+/// Heights are along z, as in `Direction_view`. N is `Rational`, or `Interval` in a block of upward rounding.
+/// Pieces may have integer corners, too. Rounded pieces give intervals that are a little wider, and take a fraction of
+/// the time.
 namespace tetracone::kernel {
 
 /// A convex polygon with area: its corners in order, of which no three are on one line.
@@ -196,7 +197,8 @@ struct Allowed {
     high = Interval(of_b.high) - Interval(of_a.low) + both;
   }
 
-  /// Returns what an axis allows. The three numbers are integers: those in space times both denominators.
+  /// Returns what an axis allows. The three numbers are those of the integer pieces' `direction`, times both
+  /// denominators. They have one positive factor, so their signs and quotients are those in space.
   Allowed(const Shift_axis& axis, const Integer_piece& a, const Integer_piece& b) requires std::is_same_v<N, Rational>
   {
     const Number_point<mpz_class> n = direction<mpz_class>(axis, a, b);
@@ -208,11 +210,11 @@ struct Allowed {
     high = of_b.high * a.denominator - of_a.low * b.denominator;
   }
 
-  /// Encloses what an axis exactly allows.
+  /// Encloses what an axis exactly allows. Quotients are enclosed, since the three numbers may be beyond the doubles.
   explicit Allowed(const Allowed<Rational>& exact) requires std::is_same_v<N, Interval>
-      : rise(CGAL::to_interval(exact.rise)),
-        low(CGAL::to_interval(exact.low)),
-        high(CGAL::to_interval(exact.high)),
+      : rise(exact.is_level() ? 0 : 1),
+        low(CGAL::to_interval(exact.is_level() ? exact.low : exact.first())),
+        high(CGAL::to_interval(exact.is_level() ? exact.high : exact.last())),
         is_axis(exact.is_axis),
         may_say_nothing(!exact.is_axis)
   {}
@@ -230,6 +232,7 @@ struct Allowed {
     if (!is_axis || is_rising() || is_falling()) return true;
     return is_level() && !may_say_nothing && (allows_all() || allows_none());
   }
+  /// Return the least and the largest shift. Require an axis that is rising or falling.
   N first() const { return N((is_rising() ? low : high) / rise); }
   N last() const { return N((is_rising() ? high : low) / rise); }
 };
@@ -269,6 +272,7 @@ class Shift_range {
     Bound least, most;
   };
 
+  /// In rationals this is the reference of tests; bodies have their pieces in integers.
   Shift_range(const Convex_piece<N>& a, const Convex_piece<N>& b)
   {
     restrict_to_all(a, b, [&](const Shift_axis& axis) { return detail::Allowed<N>(axis, a, b); });
@@ -287,7 +291,8 @@ class Shift_range {
   }
 
   /// Encloses the range of both pieces, and decides in integers what enclosures do not say of an axis. So parallel
-  /// edges, and faces along the shift, leave the range certain. exact() returns pointers to both pieces in integers.
+  /// edges, and faces along the shift, leave the range certain. exact() is called for each such axis. It returns
+  /// pointers to both pieces in integers, for the time of the call.
   /// Requires a block of upward rounding, and pieces that are bounded.
   template <class Exact>
   Shift_range(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b,
@@ -372,7 +377,8 @@ inline mpz_class exact_end(bool is_largest, const Number_point<Interval>& direct
 }  // namespace detail
 
 /// Returns the exact end `high` of two pieces that surely have one. The enclosed pieces tell which axes need not be
-/// asked: those beyond `most`, the upper bound that `Shift_range` gave.
+/// asked: those beyond `most`, the upper bound that `Shift_range` gave. Requires a block of upward rounding, and
+/// bounded pieces that enclose the exact ones.
 inline Rational exact_high(const Convex_piece<Interval>& a, const Convex_piece<Interval>& b, double most,
                            const Integer_piece& exact_a, const Integer_piece& exact_b)
 {

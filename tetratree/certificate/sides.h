@@ -46,7 +46,7 @@ inline kernel::Rational short_middle(const kernel::Rational& low, const kernel::
   return rounded_to(kernel::Rational(1, unit), (low + high) / 2);
 }
 
-/// Returns a piece of a body, by chance.
+/// Returns a random piece of a body. Pieces of small groups come more often.
 inline Box_id any_piece(const Group_tree& groups, Random_integers& random)
 {
   constexpr int bits = 16;
@@ -58,7 +58,7 @@ inline Box_id any_piece(const Group_tree& groups, Random_integers& random)
   return box;
 }
 
-/// Returns a point in the hull of a piece's corners, by chance, in the units of rounded points.
+/// Returns a random point in the hull of a piece's corners, in the units of rounded points.
 inline kernel::Rounded_vector point_in_hull(const Covered_body& body, Box_id piece, Random_integers& random)
 {
   kernel::Rounded_vector sum{};
@@ -80,11 +80,11 @@ using Membership = std::array<bool, 2>;
 /// `wanted` were found; else the text is of no use.
 inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& met, std::vector<Membership> wanted)
 {
-  constexpr int most_lines = 144,        // lines tried
-      lines_of_a_size = 4,               // lines tried at one distance from the point; the next are nearer
-      lines_of_a_turn = 6,               // those, and a line through a face of each body
-      bits_nearer = 3;                   // log2 of the ratio of one distance to the next
-  constexpr std::size_t most_cells = 6;  // points tried on a line, each between two crossings
+  constexpr int most_lines = 144,              // lines tried
+      lines_of_a_size = 4,                     // lines tried at one distance from the point; the next are nearer
+      lines_of_a_round = lines_of_a_size + 2,  // those, and a line through a face of each body
+      bits_nearer = 3;                         // log2 of the ratio of one distance to the next
+  constexpr std::size_t most_cells = 6;        // points tried on a line, each between two crossings
   // Lengths are in the units of rounded points, which are finite and not 0.
   const kernel::Rational rounding(pair.rounding), weight(met.point.weight);
   const kernel::Exact_number unit = exact(kernel::Rational(1 / rounding));
@@ -96,11 +96,11 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     for (std::size_t v = 0; v < body.points.size(); ++v)
       for (std::size_t c = 0; c < 3; ++c) size = kernel::maximum(size, std::abs(body.points.rounded(v)[c] - middle[c]));
   if (size == 0) return false;
-  // The thinnest overlaps are nearer to the common point than the distance between doubles.
-  constexpr int bits = 140;
+  // Binary digits of the common point below `size`. The last lines are 2^-69 of `size` near it, nearer than doubles.
+  constexpr int bits_of_common = 140;
   kernel::Exact_vector common;
   for (int c = 0; c < 3; ++c)
-    common[c] = exact(rounded_to(kernel::times_power(1 / rounding, std::ilogb(size) - bits),
+    common[c] = exact(rounded_to(kernel::times_power(1 / rounding, std::ilogb(size) - bits_of_common),
                                  kernel::Rational(met.point.at[c]) / weight));
   const auto pieces = pair.faces(met.piece);
   std::vector<std::string> rows;
@@ -112,14 +112,14 @@ inline bool add_sides(std::string& text, Placed_pair& pair, const Common_point& 
     rows.push_back(in_b->first);
   };
   for (int n = 0; n < most_lines && !wanted.empty(); ++n) {
-    const int turn = n / lines_of_a_turn, line = n % lines_of_a_turn;
+    const int round = n / lines_of_a_round, line = n % lines_of_a_round;
     kernel::Exact_vector exact_way = {kernel::Exact_number(pair.random(20)), kernel::Exact_number(pair.random(20)),
                                       kernel::Exact_number(pair.random(20))};
     kernel::Exact_vector from = common;
     kernel::Rounded_vector aside{};
     if (line < lines_of_a_size) {
       // The lines are along the normals of both pieces, or random.
-      for (double& x : aside) x = std::ldexp(size, 1 - bits_nearer * turn) * pair.random(20) * 0x1p-20;
+      for (double& x : aside) x = std::ldexp(size, 1 - bits_nearer * round) * pair.random(20) * 0x1p-20;
       if (line < 2 && pieces[std::size_t(line)].plane) exact_way = kernel::normal_of(*pieces[std::size_t(line)].plane);
     } else {
       // The line is along the normal of a face, from a point in the hull of its corners.

@@ -41,7 +41,7 @@ struct Exit_heights {
 ///
 /// The first exit is found by going up. Rounded ends come first: where a pair is surely met below the rise that is
 /// reached, F goes on to its `high`. If that meets the range of the pair that leaves last, both exits are one.
-/// Otherwise fractions make one step, and rounded ends go on from there. The step leads to the largest `high` of a
+/// Otherwise an exact step is made, and rounded ends go on from there. The step leads to the largest `high` of a
 /// pair that has the rise between its ends. If there is no such pair, the relation of the solids at that rise decides,
 /// and the step leads to the least `high` above it.
 ///
@@ -69,6 +69,7 @@ class Exit_search {
     last_pair_ = {};
     kernel::Rational at = 0;
     for (bool is_in = true; at < last; is_in = false) {
+      // F has all rises below `at`. So the climb may begin a little lower, at a double.
       if (std::optional<Met> reached = climb(CGAL::to_interval(at).first, goal)) {
         if (reached->high.least > goal) {
           last_pair_ = pair_of_last;
@@ -205,10 +206,11 @@ class Exit_search {
     return range;
   }
 
-  /// Decides axes in fractions where a range is neither empty nor certain. Requires what `enclosed` requires.
+  /// Decides axes in integers where a range is neither empty nor certain. Requires what `enclosed` requires.
   void sharpen(kernel::Shift_range<kernel::Interval>& range, Seen_piece& a, Seen_piece& b)
   {
     if (range.is_empty() || range.is_certain()) return;
+    ++counts_.exact_fallbacks;
     range = {a.about, b.about, [&] { return std::array{&solid_[0].exactly(a), &solid_[1].exactly(b)}; }};
   }
 
@@ -303,7 +305,8 @@ class Exit_search {
         const CGAL::Protect_FPU_rounding<true> upward;
         auto range = enclosed(a, b);
         const auto is_out = [&] {
-          if (range.is_empty() || !range.high()) return range.is_empty();
+          if (range.is_empty()) return true;
+          if (!range.high()) return false;
           const double most = range.high()->most;
           return most <= best || (through && (most <= least_at || starts_after(range.low()->least, most_at)));
         };
@@ -329,7 +332,9 @@ class Exit_search {
     std::optional<Rational> found;
     for (Candidate& c : candidates) {
       const Rational& high = exact_high(c);
-      if (!found || high > *found) found = high, note(c);
+      if (found && high <= *found) continue;
+      found = high;
+      note(c);
     }
     return found;
   }
@@ -372,7 +377,9 @@ class Exit_search {
     std::optional<Rational> found;
     for (Candidate& c : candidates) {
       const Rational& high = exact_high(c);
-      if (!found || high < *found) found = high, note(c);
+      if (found && high >= *found) continue;
+      found = high;
+      note(c);
     }
     return *found;
   }
@@ -405,7 +412,7 @@ class Exit_search {
     return found;
   }
 
-  /// Takes the candidate's `high` as the one that is found.
+  /// Takes the candidate's `high` as the one that is found. Requires that `exact_high` was asked for it.
   void note(const Candidate& c)
   {
     last_high_ = *c.exact;

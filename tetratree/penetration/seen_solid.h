@@ -29,9 +29,9 @@ namespace tetracone::tetratree {
 struct Seen_piece {
   kernel::Convex_piece<kernel::Interval> about;  ///< enclosed
   kernel::Rounded_piece rounded;                 ///< of a piece that is bounded
-  kernel::View_box box;
-  std::optional<kernel::Integer_piece> exact;  ///< nothing until it is needed
-  bool is_bounded;                             ///< the numbers of `about` are far from overflow
+  kernel::View_box box;                          ///< unlimited where the piece is not bounded
+  std::optional<kernel::Integer_piece> exact;    ///< nothing until it is needed
+  bool is_bounded;                               ///< the numbers of `about` are far from overflow
   Index face;
   std::size_t cell;  ///< its number among the pieces of a face that is not a plain triangle
 };
@@ -83,11 +83,7 @@ class Seen_solid {
  public:
   /// `tree` has the faces of `polyhedron` as elements, and `sides` are of it. All must outlive this object.
   Seen_solid(const Bvh8& tree, const covering::Polyhedron& polyhedron, const Solid_sides& sides)
-      : tree_(&tree),
-        polyhedron_(&polyhedron),
-        sides_(&sides),
-        bits_(kernel::fraction_bits(polyhedron.vertices)),
-        box_view_(std::array<kernel::Rational, 12>(), {})
+      : tree_(&tree), polyhedron_(&polyhedron), sides_(&sides), box_view_(std::array<kernel::Rational, 12>(), {})
   {}
 
   const Bvh8& tree() const { return *tree_; }
@@ -97,8 +93,8 @@ class Seen_solid {
   {
     map_ = map;
     for (std::size_t k = 0; k < 12; ++k) about_map_[k] = CGAL::to_interval(map[k]);
-    scale_ = kernel::Integer_map::least_scale(map, bits_);
-    integer_map_ = kernel::Integer_map(map, bits_, scale_);
+    scale_ = kernel::Integer_map::least_scale(map, sides_->fraction_bits());
+    integer_map_ = kernel::Integer_map(map, sides_->fraction_bits(), scale_);
     box_view_ = kernel::Box_view(map, tree_->scale());
     boxes_.forget();
     pieces_.forget();
@@ -222,7 +218,6 @@ class Seen_solid {
   const Bvh8* tree_;
   const covering::Polyhedron* polyhedron_;
   const Solid_sides* sides_;
-  int bits_;  // the vertices times 2^bits_ are integers
   std::array<kernel::Rational, 12> map_;
   std::array<kernel::Interval, 12> about_map_;
   mpz_class scale_;
@@ -230,7 +225,7 @@ class Seen_solid {
   kernel::Box_view box_view_;
   Numbered_things<std::array<kernel::View_box, kernel::lanes>> boxes_;  // by node
   Numbered_things<std::vector<Seen_piece>> pieces_;                     // by face
-  Numbered_things<kernel::Number_point<mpz_class>> vertices_;           // times scale_
+  Numbered_things<kernel::Number_point<mpz_class>> vertices_;           // images of vertices, times scale_
   std::map<Index, std::vector<Rational_piece>> cells_;                  // of faces that are not plain
 };
 

@@ -71,9 +71,10 @@ struct Found_regions {
 ///   into two halves. Let both faces at the edge be on one side of that plane, or in it. Then a half that is on neither
 ///   face is outside at a convex edge, and inside at a reflex one. Otherwise one half is inside and one is outside.
 /// - A face without a segment or a polygon in its inside is one region. Its corners off the other surface are on the
-///   region's border. Regions that have such a corner in common are alike, and one corner decides for all. Where all
-///   corners are on the other surface, so may be an edge. The planes of the other body's faces at that edge decide.
-/// Each region of any other face has a part of such a segment, or of a polygon's border, on its border.
+///   region's border. Regions that have such a corner in common are alike, and one corner decides for all.
+/// - All corners of such a face may be on the other surface. If a segment of one of its edges is, too, the planes
+///   of the other body's faces at that segment decide. Otherwise nothing is known.
+/// Each region of any other face has on its border a part of a segment within the face, or of a polygon's border.
 ///
 /// Two contacts show that the solids overlap. The first is an edge that goes through the inside of a face:
 /// `is_crossing`. The second is a segment that is on no edge of either face. Near its inner points the two planes part
@@ -167,7 +168,8 @@ class Simple_relation {
     note_sides(inward(0, face[0], apex, 0), inward(1, face[1], apex, 0));
   }
 
-  /// Notes whether both solids are on one side of a polygon. A point off its plane has these sides, as of `inward`.
+  /// Notes whether both solids are on one side of a polygon. The arguments say on which side of either face one point
+  /// off the plane is, as `inward` does.
   void note_sides(kernel::Sign of_one, kernel::Sign of_other)
   {
     if (of_one == of_other)
@@ -177,16 +179,18 @@ class Simple_relation {
   }
 
   /// Returns the side of a face's plane on which vertex v of body `whose` is: POSITIVE where the face has its solid.
+  /// Requires a face of a simple solid.
   kernel::Sign inward(int body, Index f, Index v, int whose)
   {
     const kernel::Sign in_front = side(corners(body, f), point(whose, v)) * body_[body].placed->determinant_sign();
     return body_[body].sides->of(f).front ? in_front : -in_front;
   }
 
-  /// Returns a corner of A that is off the plane of one of its faces. A solid has one.
+  /// Returns a corner of A that is off the plane of one of its faces, near the last one that was returned. A solid has
+  /// one.
   Index vertex_beside(Index f)
   {
-    for (;; beside_ = (beside_ + 1) % body_[0].polyhedron->face_count())
+    for (;; beside_ = (beside_ + 1) % Index(body_[0].polyhedron->face_count()))
       for (const Index v : body_[0].polyhedron->loop(beside_, 0))
         if (side(corners(0, f), point(0, v)) != kernel::ZERO) return v;
   }
@@ -227,16 +231,17 @@ class Simple_relation {
   /// face shares no area with the other surface there.
   bool is_inside_beside(int body, const Found_piece& piece)
   {
-    const int other = 1 - body;
-    const Index own = body == 0 ? piece.face_a : piece.face_b, face = body == 0 ? piece.face_b : piece.face_a;
+    const int other_body = 1 - body;
+    const Index own = body == 0 ? piece.face_a : piece.face_b, other = body == 0 ? piece.face_b : piece.face_a;
     const int own_edge = std::countr_zero(unsigned(along(body, piece.by_signs, 1)));
     const Index apex = body_[body].polyhedron->loop(own, 0)[std::size_t(own_edge + 2) % 3];
-    const kernel::Sign one = inward(other, face, apex, body);
-    const kernel::Edge_set edges = along(other, piece.by_signs, 1);
+    const kernel::Sign one = inward(other_body, other, apex, body);
+    const kernel::Edge_set edges = along(other_body, piece.by_signs, 1);
     if (edges == 0) return one == kernel::POSITIVE;
-    const Solid_sides::Beyond_edge& beyond = body_[other].sides->beyond(face, std::countr_zero(unsigned(edges)));
+    const Solid_sides::Beyond_edge& beyond = body_[other_body].sides->beyond(other, std::countr_zero(unsigned(edges)));
     if (beyond.side == kernel::ZERO) return one == kernel::POSITIVE;
-    const kernel::Sign next = inward(other, beyond.face, apex, body);
+    const kernel::Sign next = inward(other_body, beyond.face, apex, body);
+    // At a convex edge the solid is where both faces have it, at a reflex one where either has it.
     return beyond.side == kernel::POSITIVE ? one == kernel::POSITIVE && next == kernel::POSITIVE
                                            : one != kernel::NEGATIVE || next != kernel::NEGATIVE;
   }
@@ -285,7 +290,7 @@ class Simple_relation {
   Index beside_ = 0;                              // a face of A, with a corner off the plane that was asked about last
   std::array<std::vector<bool>, 2> is_on_other_;  // by place: the vertex is on the other surface
   std::array<std::map<Index, bool>, 2> faces_;    // that have a piece: whether one has an inner point of the face
-  std::array<std::map<Index, const Found_piece*>, 2> along_edge_;  // a segment on an edge of a face
+  std::array<std::map<Index, const Found_piece*>, 2> along_edge_;  // of the call: a segment on an edge of a face
 };
 
 }  // namespace tetracone::tetratree

@@ -59,11 +59,12 @@ std::optional<Fraction_point> common_point(const std::array<Fraction_point, 3>& 
 
 class Sweep {
  public:
-  Sweep(const Integer_body& a, const Integer_body& b) : bodies_{&a, &b}
+  Sweep(const Integer_body& a, const Integer_body& b)
   {
+    const std::array bodies = {&a, &b};
     const std::array<Element_boxes, 2> boxes = element_boxes(a, b);
     for (const int k : {0, 1}) {
-      const Integer_body& body = *bodies_[k];
+      const Integer_body& body = *bodies[k];
       for (Index f = 0; f < body.face_count(); ++f)
         if (const auto normal = body.normal(f)) faces_.push_back({&body, f, *normal, boxes[k].faces[f], k == 1});
       for (std::size_t e = 0; e < body.edges().size(); ++e)
@@ -193,7 +194,6 @@ class Sweep {
     }
   }
 
-  std::array<const Integer_body*, 2> bodies_;
   std::vector<Swept_face> faces_;
   std::vector<Swept_edge> edges_;
 };

@@ -1,8 +1,13 @@
 #include "tetracone/tetratree/relation/solid_pair.h"
 
+#include "tetracone/covering/model.h"
+#include "tetracone/covering/star_faces.h"
 #include "tetracone/kernel/contact/face_cells.h"
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "tetracone/tetratree/query/bvh8_contacts.h"
+#include "tetracone/tetratree/relation/simple_relation.h"
+#include "tetracone/tetratree/relation/solid_sides.h"
 #include "verify/cases/lego.h"
 #include "verify/test/support/scenes.h"
 
@@ -174,6 +179,65 @@ BOOST_AUTO_TEST_CASE(signs_tell_the_relation_that_cells_tell)
   for (const char* relation : {"disjoint -1", "meet 0", "meet 1", "meet 2", "overlap 1", "overlap 2", "equal 2",
                                "inside -1", "contains -1", "covered_by 2", "covers 2"})
     BOOST_TEST(met[relation] > 0, relation << " was not met");
+}
+
+BOOST_AUTO_TEST_CASE(signs_decide_plates_in_flat_contact)
+{
+  namespace lego = verify::lego;
+  // A body of cells, in large faces or in squares, of triangles.
+  struct Signed_body {
+    Signed_body(const lego::Cells& cells, double merged, verify::Random& random)
+        : bricks{{cells}},
+          body(scenes::triangulated(
+              lego::solid(bricks, {.merged = merged, .is_one_mesh = true, .is_straight = merged == 1}, random))),
+          tree(body, covering::star_faces(body)),
+          sides(tree, body),
+          placed(tree.model())
+    {}
+    Signed_body(const Signed_body&) = delete;
+
+    lego::Bricks bricks;
+    Polyhedron body;
+    tetratree::Bvh8 tree;
+    tetratree::Solid_sides sides;
+    covering::Placed_model<Adaptive> placed;
+  };
+  verify::Random random(11);
+  lego::Cells plate = lego::block({0, 0, 0}, {6, 6, 1}), lid = plate;
+  std::erase_if(plate, [](const lego::Cell& cell) { return cell[0] % 3 == 1 && cell[1] % 3 == 1; });
+  std::map<std::string, int> met;
+  for (const auto& [cells_a, cells_b] : {std::pair(plate, plate), {plate, lid}, {lid, plate}})
+    for (const double merged_b : {0.0, 1.0}) {
+      Signed_body a(cells_a, 0, random), b(cells_b, cells_b == plate ? 0 : merged_b, random);
+      BOOST_TEST_REQUIRE((a.sides.is_simple() && b.sides.is_simple()));
+      tetratree::Bvh8_contacts<> finder(a.tree, a.tree.model(), a.body, b.tree, b.tree.model(), b.body);
+      tetratree::Simple_relation by_signs({&a.body, &a.sides, &a.placed}, {&b.body, &b.sides, &b.placed});
+      for (const lego::Cell& offset :
+           {lego::Cell{0, 0, 0}, {0, 0, 2}, {1, 0, 2}, {1, 1, -2}, {6, 6, 0}, {6, 0, 0}, {12, 3, 0}})
+        for (const int mirror : {1, -1}) {
+          const auto at = [&](const lego::Cell& halves) {
+            std::array<Rational, 12> m{};
+            for (std::size_t k = 0; k < 3; ++k) {
+              m[5 * k] = k == 0 ? mirror : 1;
+              m[4 * k + 3] = m[5 * k] * halves[k] / 2;
+            }
+            return Pose(m);
+          };
+          const std::array<Pose, 2> pose = {at({0, 0, 0}), at(offset)};
+          a.placed.place(pose[0]);
+          b.placed.place(pose[1]);
+          const auto is_vertex_inside = [&](int of, Index v) {
+            Vertex x = (of == 0 ? a : b).body.vertices[v];
+            for (std::size_t k = 0; k < 3; ++k) x[k] += (of == 0 ? -0.5 : 0.5) * offset[k];
+            return Body((of == 0 ? b : a).body).inside({x[0], x[1], x[2]}) == covering::Location::inside;
+          };
+          const auto relation = by_signs(finder.contacts(pose[0], pose[1]), is_vertex_inside);
+          BOOST_TEST_REQUIRE(relation.has_value());
+          BOOST_TEST((*relation == lego::overlap(a.bricks, b.bricks, offset).contact.relation));
+          ++met[std::string(to_string(*relation))];
+        }
+    }
+  for (const char* relation : {"meet", "overlap", "equal", "covered_by", "covers"}) BOOST_TEST(met[relation] > 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_membrane_is_no_border)
