@@ -30,10 +30,9 @@ struct Seen_piece {
   kernel::Convex_piece<kernel::Interval> about;  ///< enclosed
   kernel::Rounded_piece rounded;                 ///< of a piece that is bounded
   kernel::View_box box;                          ///< unlimited where the piece is not bounded
-  std::optional<kernel::Integer_piece> exact;    ///< nothing until it is needed
+  std::optional<kernel::Integer_piece> exact;    ///< of a plain triangle, nothing until it is needed
   bool is_bounded;                               ///< the numbers of `about` are far from overflow
   Index face;
-  std::size_t cell;  ///< its number among the pieces of a face that is not a plain triangle
 };
 
 /// Things by their number, made on demand. They stay in their place until all are forgotten. Then their memory is used
@@ -132,7 +131,7 @@ class Seen_solid {
   /// Returns a piece of the present view in integers.
   const kernel::Integer_piece& exactly(Seen_piece& piece)
   {
-    if (!piece.exact) piece.exact = is_plain(piece.face) ? triangle(piece.face) : kernel::Integer_piece(seen(piece));
+    if (!piece.exact) piece.exact = triangle(piece.face);
     return *piece.exact;
   }
 
@@ -143,16 +142,15 @@ class Seen_solid {
   {
     const CGAL::Protect_FPU_rounding<true> upward;
     if (is_plain(f)) {
-      if (sides_->of(f).any_in) add(pieces, {enclosed_triangle(f), {}, {}, std::nullopt, false, f, 0});
+      if (sides_->of(f).any_in) add(pieces, {enclosed_triangle(f), {}, {}, std::nullopt, false, f});
       return;
     }
-    const std::size_t count = cells(f).size();
-    for (std::size_t c = 0; c < count; ++c) {
-      Seen_piece piece{{}, {}, {}, std::nullopt, false, f, c};
-      const Rational_piece exact = seen(piece);
-      piece.about.count = exact.count;
-      for (int k = 0; k < exact.count; ++k)
-        for (std::size_t i = 0; i < 3; ++i) piece.about.corner[k][i] = CGAL::to_interval(exact.corner[k][i]);
+    for (Rational_piece cell : cells(f)) {
+      for (int k = 0; k < cell.count; ++k) cell.corner[k] = kernel::image(cell.corner[k], map_);
+      Seen_piece piece{{}, {}, {}, kernel::Integer_piece(cell), false, f};
+      piece.about.count = cell.count;
+      for (int k = 0; k < cell.count; ++k)
+        for (std::size_t i = 0; i < 3; ++i) piece.about.corner[k][i] = CGAL::to_interval(cell.corner[k][i]);
       add(pieces, std::move(piece));
     }
   }
@@ -182,14 +180,6 @@ class Seen_solid {
       piece.corner[std::size_t(piece.count++)] =
           vertices_(v, [&](auto& seen) { seen = integer_map_(polyhedron_->vertices[v]); });
     return piece;
-  }
-
-  /// Returns a piece of a face that is no plain triangle.
-  Rational_piece seen(const Seen_piece& piece)
-  {
-    Rational_piece seen = cells(piece.face)[piece.cell];
-    for (int k = 0; k < seen.count; ++k) seen.corner[k] = kernel::image(seen.corner[k], map_);
-    return seen;
   }
 
   /// Returns the cells of a face that have the solid on some side, in the body's coordinates.
