@@ -102,7 +102,7 @@ void race_plates(Measures& measures, std::uint64_t seed)
   };
   const covering::Polyhedron plate = surface(cells), block = surface(verify::lego::block({0, 0, 0}, {size, size, 1}));
   const auto at = [](double x, double y, double z) {
-    return std::pair(kernel::Pose(), kernel::Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z}));
+    return std::pair(kernel::Pose(), kernel::Pose::translation(x, y, z));
   };
   race_solids(measures, "plates, equal", plate, plate, {at(0, 0, 0)});
   race_solids(measures, "plates, stacked", plate, plate, {at(0, 0, 1), at(0.5, 0.25, 1), at(3, 0, -1)});

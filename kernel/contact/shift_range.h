@@ -89,8 +89,6 @@ inline double lower(const Interval& x) { return x.inf(); }
 inline double upper(const Interval& x) { return x.sup(); }
 inline const Rational& lower(const Rational& x) { return x; }
 inline const Rational& upper(const Rational& x) { return x; }
-inline const mpz_class& lower(const mpz_class& x) { return x; }
-inline const mpz_class& upper(const mpz_class& x) { return x; }
 
 inline Interval least(const Interval& x, const Interval& y)
 {
@@ -341,13 +339,10 @@ class Shift_range {
         high_ = End{minimum(high_->least, Bound(lower(last))), minimum(high_->most, Bound(upper(last)))};
       }
       if (low_->least > high_->most) is_empty_ = true;
-    } else if (allowed.is_level() && !allowed.may_say_nothing) {
-      if (allowed.allows_none())
-        is_empty_ = true;
-      else if (!allowed.allows_all())
-        is_certain_ = false;
-    } else {
+    } else if (!allowed.is_decided()) {
       is_certain_ = false;
+    } else if (allowed.allows_none()) {
+      is_empty_ = true;
     }
   }
 
